@@ -1,0 +1,34 @@
+/// @file
+/// Line plots as SVG: dark and light, linear or logarithmic axes, labels at the lines.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace lt {
+
+/// One curve of a plot.
+struct Series {
+  std::string label;           ///< written at the end of the line
+  std::vector<double> x;       ///< as many as y
+  std::vector<double> y;       ///< non-finite values leave a gap
+  bool show_line = true;
+  bool show_points = false;
+};
+
+/// A plot with its axes.
+struct Plot {
+  std::string title;
+  std::string x_label;         ///< with its unit
+  std::string y_label;         ///< with its unit
+  bool log_x = false;          ///< values <= 0 are left out
+  bool log_y = false;          ///< values <= 0 are left out
+  std::string description;     ///< what to see, for readers who cannot see it (SVG <desc>)
+  std::vector<Series> series;
+};
+
+/// The plot as a complete SVG document, 720 x 440 units, legible at phone width; follows
+/// prefers-color-scheme.
+[[nodiscard]] std::string to_svg(const Plot& plot);
+
+}  // namespace lt
