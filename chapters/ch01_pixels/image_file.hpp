@@ -1,0 +1,50 @@
+/// @file
+/// Pictures to and from files: PNG for people (sRGB codes), PFM for numbers (linear radiance).
+#pragma once
+
+#include <filesystem>
+
+#include "ch01_pixels/image.hpp"
+#include "common/error.hpp"
+#include "common/pixel_io.hpp"
+
+namespace lt {
+
+/// The picture as 8-bit sRGB codes.
+[[nodiscard]] inline Pixels8 to_codes(const Image& image) {
+  Pixels8 codes{image.width(), image.height(), {}};
+  codes.rgb.reserve(static_cast<std::size_t>(image.width()) * image.height() * 3);
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      for (int c = 0; c < 3; ++c)
+        codes.rgb.push_back(to_code(image.at(x, y)[c]));
+  return codes;
+}
+
+/// The linear picture behind 8-bit sRGB codes.
+[[nodiscard]] inline Image from_codes(const Pixels8& codes) {
+  Image image(codes.width, codes.height);
+  const std::uint8_t* code = codes.rgb.data();
+  for (int y = 0; y < codes.height; ++y)
+    for (int x = 0; x < codes.width; ++x)
+      for (int c = 0; c < 3; ++c)
+        image.at(x, y)[c] = from_code(*code++);
+  return image;
+}
+
+/// Writes `image` as the extension says: ".png" or ".pfm".
+/// @throws InputError   another extension
+/// @throws OutputError  the file cannot be written; an older file of that name is intact
+inline void save_image(const std::filesystem::path& path, const Image& image) {
+  if (path.extension() == ".png") return write_png(path, to_codes(image));
+  if (path.extension() != ".pfm")
+    throw InputError("--out: " + path.string() + " is no picture; end it in .png or .pfm");
+  PixelsFloat pixels{image.width(), image.height(), {}};
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      for (int c = 0; c < 3; ++c)
+        pixels.rgb.push_back(image.at(x, y)[c]);
+  write_pfm(path, pixels);
+}
+
+}  // namespace lt
