@@ -1,0 +1,143 @@
+# Exercises. In the learner's workspace (exercises/ configured alone) each one is a program made
+# of its test and the learner's file. In the root build each one is *proved*: its solution, another
+# solution, its starter and every wrong answer (mutant) become programs, and `learn judge` tells
+# CTest whether each ends as it must.
+include_guard(GLOBAL)
+
+set(default_my "$ENV{LT_MY}")
+if(NOT default_my)
+  set(default_my "${LT_ROOT}/my")
+endif()
+set(LT_MY "${default_my}" CACHE PATH "where the learner's files live")
+
+# One line that names the exercise, then stop.
+function(lt_exercise_error folder message)
+  cmake_path(RELATIVE_PATH folder BASE_DIRECTORY "${LT_ROOT}")
+  message(FATAL_ERROR "${folder}: ${message}")
+endfunction()
+
+# lt_exercise_get(OUT FOLDER JSON key...): a value of exercise.json, or the line that says what is wrong.
+function(lt_exercise_get out folder json)
+  string(JSON value ERROR_VARIABLE error GET "${json}" ${ARGN})
+  if(error)
+    lt_exercise_error("${folder}" "exercise.json: ${error}")
+  endif()
+  set(${out} "${value}" PARENT_SCOPE)
+endfunction()
+
+# A small program: test + the answer in SOURCE. The test object is compiled once for all answers.
+function(lt_exercise_program target id folder source)
+  add_executable(${target} "${source}")
+  target_include_directories(${target} PRIVATE "${folder}")
+  target_link_libraries(${target} PRIVATE ex_${id}_test lt::testkit)
+  lt_exercise_flags(${target})
+endfunction()
+
+# Quick to compile, and hard on mistakes: a forgotten return is an error, an index out of range stops.
+function(lt_exercise_flags target)
+  if(NOT MSVC)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> -UNDEBUG -Werror=return-type)
+    target_compile_definitions(${target} PRIVATE _GLIBCXX_ASSERTIONS)
+  endif()
+endfunction()
+
+# lt_exercise(FOLDER): everything about the exercise that FOLDER/exercise.json describes.
+function(lt_exercise folder)
+  file(READ "${folder}/exercise.json" json)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${folder}/exercise.json")
+  lt_exercise_get(id "${folder}" "${json}" id)
+  lt_exercise_get(name "${folder}" "${json}" name)
+  if(NOT id MATCHES "^[0-9][0-9]\\.[0-9]+$")
+    lt_exercise_error("${folder}" "exercise.json: id is \"${id}\", not chapter.number as in 02.1")
+  endif()
+  if(TARGET ex_${id}_test)
+    lt_exercise_error("${folder}" "exercise.json: id ${id} is taken by another exercise")
+  endif()
+  foreach(file IN ITEMS api.hpp starter.cpp test.cpp solution.cpp other.cpp README.md)
+    if(NOT EXISTS "${folder}/${file}")
+      lt_exercise_error("${folder}" "${file} is missing")
+    endif()
+  endforeach()
+
+  add_library(ex_${id}_test OBJECT "${folder}/test.cpp")
+  target_include_directories(ex_${id}_test PRIVATE "${folder}")
+  target_link_libraries(ex_${id}_test PRIVATE lt::testkit)
+  lt_exercise_flags(ex_${id}_test)
+
+  if(CMAKE_SOURCE_DIR STREQUAL LT_ROOT)
+    lt_prove_exercise("${folder}" "${json}" ${id} "${name}")
+  else()
+    lt_learner_exercise("${folder}" ${id} "${name}")
+  endif()
+endfunction()
+
+# The learner's program: my/ID-NAME.cpp if it is there, the untouched starter otherwise.
+function(lt_learner_exercise folder id name)
+  set(source "${folder}/starter.cpp")
+  file(GLOB mine CONFIGURE_DEPENDS "${LT_MY}/${id}-*.cpp")
+  if("${LT_MY}/${id}-${name}.cpp" IN_LIST mine)
+    set(source "${LT_MY}/${id}-${name}.cpp")
+  endif()
+  lt_exercise_program(ex_${id} ${id} "${folder}" "${source}")
+  add_test(NAME "${id} ${name}" COMMAND ex_${id})
+  set_tests_properties("${id} ${name}" PROPERTIES LABELS ${id} TIMEOUT 10)
+endfunction()
+
+# The soundness programs of one exercise and the tests that judge them.
+function(lt_prove_exercise folder json id name)
+  set(warnings_are_errors $<IF:$<CXX_COMPILER_ID:MSVC>,/WX,-Werror>)
+  foreach(answer IN ITEMS solution other starter)
+    lt_exercise_program(ex_${id}_${answer} ${id} "${folder}" "${folder}/${answer}.cpp")
+    target_compile_options(ex_${id}_${answer} PRIVATE ${warnings_are_errors})
+  endforeach()
+  lt_judge("${folder}" ${id} "${name}" solution "the solution passes")
+  lt_judge("${folder}" ${id} "${name}" other "another right answer passes")
+  lt_judge("${folder}" ${id} "${name}" starter "the starter fails because it is not written")
+  lt_judge("${folder}" ${id} "${name}" solution "the solution passes for 200 seeds" --seeds 200)
+  lt_judge("${folder}" ${id} "${name}" other "another right answer passes for 200 seeds" --seeds 200)
+
+  string(JSON count ERROR_VARIABLE error LENGTH "${json}" mutants)
+  if(error OR count LESS 2)
+    lt_exercise_error("${folder}" "exercise.json: mutants must be a list of at least 2")
+  endif()
+  math(EXPR last "${count} - 1")
+  foreach(i RANGE ${last})
+    lt_exercise_get(tag "${folder}" "${json}" mutants ${i} tag)
+    lt_exercise_get(find "${folder}" "${json}" mutants ${i} find)
+    lt_exercise_get(replace "${folder}" "${json}" mutants ${i} replace)
+    lt_mutant("${folder}" ${id} "${tag}" "${find}" "${replace}")
+    lt_judge("${folder}" ${id} "${name}" mutant_${tag} "the mutant ${tag} is named")
+  endforeach()
+endfunction()
+
+# A wrong answer: solution.cpp with one place replaced. Written anew only when it changes.
+function(lt_mutant folder id tag find replace)
+  if(NOT tag MATCHES "^[a-z0-9-]+$" OR TARGET ex_${id}_mutant_${tag})
+    lt_exercise_error("${folder}" "exercise.json: tag \"${tag}\" is not lower-case-with-dashes, or used twice")
+  endif()
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${folder}/solution.cpp")
+  file(READ "${folder}/solution.cpp" solution)
+  string(FIND "${solution}" "${find}" first)
+  string(FIND "${solution}" "${find}" last REVERSE)
+  if(first EQUAL -1 OR NOT first EQUAL last)
+    lt_exercise_error("${folder}" "mutant ${tag}: \"find\" must occur exactly once in solution.cpp: ${find}")
+  endif()
+  string(REPLACE "${find}" "${replace}" mutated "${solution}")
+  set(file "${CMAKE_CURRENT_BINARY_DIR}/mutants/${id}-${tag}.cpp")
+  set(old "")
+  if(EXISTS "${file}")
+    file(READ "${file}" old)
+  endif()
+  if(NOT mutated STREQUAL old)
+    file(WRITE "${file}" "${mutated}")
+  endif()
+  lt_exercise_program(ex_${id}_mutant_${tag} ${id} "${folder}" "${file}")
+endfunction()
+
+# lt_judge(FOLDER ID NAME ANSWER SENTENCE option...): one CTest test of one program.
+function(lt_judge folder id name answer sentence)
+  add_test(NAME "${id} ${name}: ${sentence}"
+    COMMAND learn judge "${folder}" ${answer} $<TARGET_FILE:ex_${id}_${answer}> ${ARGN})
+  set_tests_properties("${id} ${name}: ${sentence}" PROPERTIES LABELS exercises TIMEOUT 120)
+  add_dependencies(exercise_programs ex_${id}_${answer})
+endfunction()
