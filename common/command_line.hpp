@@ -44,12 +44,12 @@ class CommandLine {
 
 /// What most programs ask for.
 struct RenderOptions {
-  int width = 900;                ///< pixels, 1 to max_image_side
-  int height = 720;               ///< pixels, 1 to max_image_side
-  int samples_per_pixel = 1;      ///< 1 to 1,000,000
-  std::uint64_t seed = 1;         ///< the picture is a function of its seed
-  int threads = 0;                ///< 0: one for each processor
-  std::filesystem::path out;      ///< .png for people, .pfm for linear data
+  int width = 900;            ///< pixels, 1 to max_image_side
+  int height = 720;           ///< pixels, 1 to max_image_side
+  int samples_per_pixel = 1;  ///< 1 to 1,000,000
+  std::uint64_t seed = 1;     ///< the picture is a function of its seed
+  int threads = 0;            ///< 0: one for each processor
+  std::filesystem::path out;  ///< .png for people, .pfm for linear data
 };
 
 /// Adds --width, --height and --out.

@@ -51,7 +51,8 @@ void for_each_tile(int width, int height, int threads, const Work& work, int til
   };
 
   std::vector<std::jthread> pool;
-  for (int i = 1; i < std::min(thread_count(threads), columns * rows); ++i) pool.emplace_back(worker);
+  for (int i = 1; i < std::min(thread_count(threads), columns * rows); ++i)
+    pool.emplace_back(worker);
   worker();
   pool.clear();  // joins
   if (error) std::rethrow_exception(error);

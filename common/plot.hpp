@@ -9,9 +9,9 @@ namespace lt {
 
 /// One curve of a plot.
 struct Series {
-  std::string label;           ///< written at the end of the line
-  std::vector<double> x;       ///< as many as y
-  std::vector<double> y;       ///< non-finite values leave a gap
+  std::string label;      ///< written at the end of the line
+  std::vector<double> x;  ///< as many as y
+  std::vector<double> y;  ///< non-finite values leave a gap
   bool show_line = true;
   bool show_points = false;
 };
@@ -19,11 +19,11 @@ struct Series {
 /// A plot with its axes.
 struct Plot {
   std::string title;
-  std::string x_label;         ///< with its unit
-  std::string y_label;         ///< with its unit
-  bool log_x = false;          ///< values <= 0 are left out
-  bool log_y = false;          ///< values <= 0 are left out
-  std::string description;     ///< what to see, for readers who cannot see it (SVG <desc>)
+  std::string x_label;      ///< with its unit
+  std::string y_label;      ///< with its unit
+  bool log_x = false;       ///< values <= 0 are left out
+  bool log_y = false;       ///< values <= 0 are left out
+  std::string description;  ///< what to see, for readers who cannot see it (SVG <desc>)
   std::vector<Series> series;
 };
 

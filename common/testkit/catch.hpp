@@ -25,7 +25,8 @@ struct StringMaker<glm::vec<N, T, Q>> {
     std::ostringstream text;
     text.precision(9);
     text << '(';
-    for (glm::length_t i = 0; i < N; ++i) text << (i ? ", " : "") << v[i];
+    for (glm::length_t i = 0; i < N; ++i)
+      text << (i ? ", " : "") << v[i];
     text << ')';
     return text.str();
   }

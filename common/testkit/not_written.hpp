@@ -1,5 +1,6 @@
 /// @file
-/// What a starter's body says before it is written. The one header of the kit that learners include.
+/// What a starter's body says before it is written. The one header of the kit that learners
+/// include.
 #pragma once
 
 #include <stdexcept>

@@ -1,0 +1,241 @@
+#include "common/testkit/statistics.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <queue>
+
+namespace lt {
+
+void RunningMean::add(double value) {
+  ++count_;
+  const double delta = value - mean_;
+  mean_ += delta / static_cast<double>(count_);
+  sum_of_squares_ += delta * (value - mean_);
+}
+
+double RunningMean::variance() const {
+  return count_ < 2 ? 0 : sum_of_squares_ / static_cast<double>(count_ - 1);
+}
+
+double RunningMean::standard_error() const {
+  return count_ < 1 ? 0 : std::sqrt(variance() / static_cast<double>(count_));
+}
+
+bool ZTest::agrees(double smallest_effect) const {
+  // Written so that NaN does not agree.
+  return std::abs(z) <= 6 || std::abs(effect) <= smallest_effect;
+}
+
+ZTest z_test(double mean, double standard_error, double expected) {
+  const double difference = mean - expected;
+  const double effect = expected == 0 ? difference : difference / std::abs(expected);
+  if (difference == 0) return {0, 0};
+  if (standard_error == 0)
+    return {std::copysign(std::numeric_limits<double>::infinity(), difference), effect};
+  return {difference / standard_error, effect};
+}
+
+ZTest z_test(const RunningMean& sample, double expected) {
+  return z_test(sample.mean(), sample.standard_error(), expected);
+}
+
+namespace {
+
+// Regularised lower incomplete gamma function P(a, x) by its series (Abramowitz and Stegun 6.5.29).
+double gamma_p_series(double a, double x) {
+  double term = 1 / a;
+  double sum = term;
+  for (double n = a + 1; std::abs(term) > std::abs(sum) * 1e-17; ++n) {
+    term *= x / n;
+    sum += term;
+  }
+  return sum * std::exp(a * std::log(x) - x - std::lgamma(a));
+}
+
+// Regularised upper incomplete gamma function Q(a, x) by its continued fraction (A. and S. 6.5.31),
+// evaluated from the front (Lentz 1976).
+double gamma_q_fraction(double a, double x) {
+  constexpr double tiny = 1e-300;
+  double b = x + 1 - a;
+  double c = 1 / tiny;
+  double d = 1 / b;
+  double product = d;
+  for (int i = 1; i < 100000; ++i) {
+    const double numerator = -i * (i - a);
+    b += 2;
+    d = numerator * d + b;
+    d = 1 / (std::abs(d) < tiny ? tiny : d);
+    c = b + numerator / c;
+    if (std::abs(c) < tiny) c = tiny;
+    product *= c * d;
+    if (std::abs(c * d - 1) < 1e-16) break;
+  }
+  return product * std::exp(a * std::log(x) - x - std::lgamma(a));
+}
+
+}  // namespace
+
+double chi_square_tail(double x, int degrees_of_freedom) {
+  assert(degrees_of_freedom >= 1);
+  if (std::isnan(x)) return 0;  // no statistic, no agreement
+  if (x <= 0) return 1;
+  if (std::isinf(x)) return 0;
+  const double a = 0.5 * degrees_of_freedom;
+  // Each form where it converges fast.
+  return x / 2 < a + 1 ? 1 - gamma_p_series(a, x / 2) : gamma_q_fraction(a, x / 2);
+}
+
+ChiSquare chi_square(std::span<const double> observed, std::span<const double> expected,
+                     double pool_below) {
+  assert(observed.size() == expected.size());
+  struct Bin {
+    double observed, expected;
+  };
+  std::vector<Bin> bins;
+  Bin open{0, 0};
+  for (std::size_t i = 0; i < observed.size(); ++i) {
+    // Where nothing can fall, nothing may have fallen: pooling must not hide it.
+    if (expected[i] == 0 && observed[i] > 0)
+      return {std::numeric_limits<double>::infinity(), 1, 0.0};
+    open.observed += observed[i];
+    open.expected += expected[i];
+    if (open.expected < pool_below || open.expected == 0) continue;
+    bins.push_back(open);
+    open = {0, 0};
+  }
+  // What is left over at the end joins its neighbour.
+  if (bins.empty()) {
+    bins.push_back(open);
+  } else {
+    bins.back().observed += open.observed;
+    bins.back().expected += open.expected;
+  }
+
+  double statistic = 0;
+  for (const Bin& bin : bins) {
+    const double difference = bin.observed - bin.expected;
+    if (bin.expected > 0) statistic += difference * difference / bin.expected;
+  }
+  const int degrees_of_freedom = std::max(1, static_cast<int>(bins.size()) - 1);
+  return {statistic, degrees_of_freedom, chi_square_tail(statistic, degrees_of_freedom)};
+}
+
+namespace {
+
+// Upper tail of Kolmogorov's distribution: 2 sum (-1)^(k-1) exp(-2 k^2 t^2).
+double kolmogorov_tail(double t) {
+  if (t < 0.2) return 1;  // the series converges slowly there, and 1 - Q < 1e-12
+  double sum = 0;
+  for (int k = 1; k <= 100; ++k) {
+    const double term = std::exp(-2 * k * k * t * t);
+    sum += k % 2 == 1 ? term : -term;
+    if (term < 1e-17) break;
+  }
+  return std::clamp(2 * sum, 0.0, 1.0);
+}
+
+}  // namespace
+
+KolmogorovSmirnov kolmogorov_smirnov(std::vector<double> samples,
+                                     const std::function<double(double)>& cdf) {
+  assert(!samples.empty());
+  if (std::any_of(samples.begin(), samples.end(), [](double x) { return std::isnan(x); }))
+    return {1, 0};
+  std::sort(samples.begin(), samples.end());
+  const auto n = static_cast<double>(samples.size());
+  double distance = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double f = cdf(samples[i]);
+    if (std::isnan(f)) return {1, 0};
+    const auto below = static_cast<double>(i);
+    distance = std::max({distance, f - below / n, (below + 1) / n - f});
+  }
+  const double root = std::sqrt(n);
+  return {distance, kolmogorov_tail(distance * (root + 0.12 + 0.11 / root))};
+}
+
+namespace {
+
+// Nodes and weights of Gauss (7 points) and Kronrod (15 points) on [-1, 1], positive half
+// (QUADPACK, Piessens et al. 1983, routine qk15).
+constexpr std::array<double, 8> kronrod_nodes = {
+    0.991455371120812639206854697526329, 0.949107912342758524526189684047851,
+    0.864864423359769072789712788640926, 0.741531185599394439863864773280788,
+    0.586087235467691130294144838258730, 0.405845151377397166906606412076961,
+    0.207784955007898467600689403773245, 0.0};
+constexpr std::array<double, 8> kronrod_weights = {
+    0.022935322010529224963732008058970, 0.063092092629978553290700663189204,
+    0.104790010322250183839876322541518, 0.140653259715525918745189590510238,
+    0.169004726639267902826583426598550, 0.190350578064785409913256402421014,
+    0.204432940075298892414161999234649, 0.209482141084727828012999174891714};
+constexpr std::array<double, 4> gauss_weights = {
+    0.129484966168869693270611432679082, 0.279705391489276667901467771423780,
+    0.381830050505118944950369775488975, 0.417959183673469387755102040816327};
+
+struct Piece {
+  double a, b, integral, error;
+  bool operator<(const Piece& other) const { return error < other.error; }
+};
+
+Piece gauss_kronrod(const std::function<double(double)>& f, double a, double b) {
+  const double centre = 0.5 * (a + b);
+  const double half = 0.5 * (b - a);
+  const double middle = f(centre);
+  double kronrod = kronrod_weights[7] * middle;
+  double gauss = gauss_weights[3] * middle;
+  for (std::size_t i = 0; i < 7; ++i) {
+    const double left = f(centre - half * kronrod_nodes[i]);
+    const double right = f(centre + half * kronrod_nodes[i]);
+    kronrod += kronrod_weights[i] * (left + right);
+    if (i % 2 == 1) gauss += gauss_weights[i / 2] * (left + right);
+  }
+  return {a, b, kronrod * half, std::abs((kronrod - gauss) * half)};
+}
+
+}  // namespace
+
+double integrate(const std::function<double(double)>& f, double a, double b, double tolerance) {
+  // Several pieces from the start, so that a narrow peak is not missed between the nodes.
+  constexpr int first_pieces = 8;
+  constexpr int most_pieces = 4000;
+  std::priority_queue<Piece> pieces;
+  double error = 0;
+  for (int i = 0; i < first_pieces; ++i) {
+    const double low = a + (b - a) * i / first_pieces;
+    const double high = i + 1 == first_pieces ? b : a + (b - a) * (i + 1) / first_pieces;
+    pieces.push(gauss_kronrod(f, low, high));
+  }
+  (void)error;
+  const auto total_error = [&] {
+    double sum = 0;
+    for (auto copy = pieces; !copy.empty(); copy.pop())
+      sum += copy.top().error;
+    return sum;
+  };
+  while (total_error() > tolerance && pieces.size() < most_pieces) {
+    const Piece worst = pieces.top();
+    pieces.pop();
+    const double middle = 0.5 * (worst.a + worst.b);
+    pieces.push(gauss_kronrod(f, worst.a, middle));
+    pieces.push(gauss_kronrod(f, middle, worst.b));
+  }
+  double sum = 0;
+  for (; !pieces.empty(); pieces.pop())
+    sum += pieces.top().integral;
+  return sum;
+}
+
+double integrate_2d(const std::function<double(double, double)>& f, double ax, double bx, double ay,
+                    double by, double tolerance) {
+  const double inner = tolerance / std::max(1.0, std::abs(bx - ax));
+  const auto strip = [&](double x) {
+    return integrate([&](double y) { return f(x, y); }, ay, by, inner);
+  };
+  return integrate(strip, ax, bx, tolerance);
+}
+
+}  // namespace lt
