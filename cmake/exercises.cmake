@@ -1,14 +1,12 @@
 # Exercises. In the learner's workspace (exercises/ configured alone) each one is a program made
-# of its test and the learner's file. In the root build each one is *proved*: its solution, another
-# solution, its starter and every wrong answer (mutant) become programs, and `learn judge` tells
-# CTest whether each ends as it must.
+# of its test and the learner's file. In the root build, which has the runner, each one is *proved*:
+# its solution, another solution, its starter and every wrong answer (mutant) become programs, and
+# `learn judge` tells CTest whether each ends as it must.
 include_guard(GLOBAL)
 
-set(default_my "$ENV{LT_MY}")
-if(NOT default_my)
-  set(default_my "${LT_ROOT}/my")
-endif()
-set(LT_MY "${default_my}" CACHE PATH "where the learner's files live")
+set(LT_MY "${LT_ROOT}/my" CACHE PATH "where the learner's files live")
+set(LT_EXERCISES "${LT_ROOT}/exercises" CACHE PATH
+  "folders with exercise.json, two levels down")
 
 # One line that names the exercise, then stop.
 function(lt_exercise_error folder message)
@@ -16,7 +14,7 @@ function(lt_exercise_error folder message)
   message(FATAL_ERROR "${folder}: ${message}")
 endfunction()
 
-# lt_exercise_get(OUT FOLDER JSON key...): a value of exercise.json, or the line that says what is wrong.
+# lt_exercise_get(OUT FOLDER JSON key...): a value of exercise.json, or one line on what is wrong.
 function(lt_exercise_get out folder json)
   string(JSON value ERROR_VARIABLE error GET "${json}" ${ARGN})
   if(error)
@@ -33,7 +31,7 @@ function(lt_exercise_program target id folder source)
   lt_exercise_flags(${target})
 endfunction()
 
-# Quick to compile, and hard on mistakes: a forgotten return is an error, an index out of range stops.
+# Quick to compile, hard on mistakes: a forgotten return is an error, a wild index stops the program.
 function(lt_exercise_flags target)
   if(NOT MSVC)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> -UNDEBUG -Werror=return-type)
@@ -64,7 +62,7 @@ function(lt_exercise folder)
   target_link_libraries(ex_${id}_test PRIVATE lt::testkit)
   lt_exercise_flags(ex_${id}_test)
 
-  if(CMAKE_SOURCE_DIR STREQUAL LT_ROOT)
+  if(TARGET learn)
     lt_prove_exercise("${folder}" "${json}" ${id} "${name}")
   else()
     lt_learner_exercise("${folder}" ${id} "${name}")
@@ -113,14 +111,16 @@ endfunction()
 # A wrong answer: solution.cpp with one place replaced. Written anew only when it changes.
 function(lt_mutant folder id tag find replace)
   if(NOT tag MATCHES "^[a-z0-9-]+$" OR TARGET ex_${id}_mutant_${tag})
-    lt_exercise_error("${folder}" "exercise.json: tag \"${tag}\" is not lower-case-with-dashes, or used twice")
+    lt_exercise_error("${folder}"
+      "exercise.json: tag \"${tag}\" is not lower-case-with-dashes, or used twice")
   endif()
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${folder}/solution.cpp")
   file(READ "${folder}/solution.cpp" solution)
   string(FIND "${solution}" "${find}" first)
   string(FIND "${solution}" "${find}" last REVERSE)
   if(first EQUAL -1 OR NOT first EQUAL last)
-    lt_exercise_error("${folder}" "mutant ${tag}: \"find\" must occur exactly once in solution.cpp: ${find}")
+    lt_exercise_error("${folder}"
+      "mutant ${tag}: \"find\" must occur exactly once in solution.cpp: ${find}")
   endif()
   string(REPLACE "${find}" "${replace}" mutated "${solution}")
   set(file "${CMAKE_CURRENT_BINARY_DIR}/mutants/${id}-${tag}.cpp")

@@ -1,0 +1,97 @@
+// The half of verdict.hpp that reads what compilers and linkers print: GCC, Clang and MSVC.
+#include <regex>
+
+#include "runner/text.hpp"
+#include "runner/verdict.hpp"
+
+namespace lt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// One "file:line:column: error: message" or "file(line,column): error C1234: message".
+struct Remark {
+  std::string file;
+  int line = 0;
+  int column = 0;
+  std::string kind;
+  std::string message;
+};
+
+std::optional<Remark> parse_remark(const std::string& line) {
+  static const std::regex gnu(R"(^(.+?):(\d{1,7})(?::(\d{1,5}))?: +(.*)$)");
+  static const std::regex msvc(R"(^(.+?)\((\d{1,7})(?:,(\d{1,5}))?\): +(.*)$)");
+  static const std::regex kind(R"(^((?:fatal )?error|warning|note)(?: [A-Z]+\d+)?: (.*)$)");
+  std::smatch match;
+  if (!std::regex_match(line, match, gnu) && !std::regex_match(line, match, msvc)) {
+    return std::nullopt;
+  }
+  Remark remark{match[1], std::stoi(match[2]), match[3].matched ? std::stoi(match[3]) : 0, "",
+                match[4]};
+  const std::string rest = remark.message;
+  if (std::regex_match(rest, match, kind)) {
+    remark.kind = match[1];
+    remark.message = match[2];
+  }
+  return remark;
+}
+
+// GCC and Clang show the line of code below their message: "   12 |   code" or "  code".
+std::string code_below(const std::vector<std::string>& lines, std::size_t index) {
+  static const std::regex numbered(R"(^ *\d+ \| ?(.*)$)");
+  if (index + 1 >= lines.size()) return "";
+  std::smatch match;
+  if (std::regex_match(lines[index + 1], match, numbered)) return match[1];
+  const bool is_caret_next =
+      index + 2 < lines.size() && lines[index + 2].find('^') != std::string::npos;
+  return is_caret_next ? lines[index + 1] : "";
+}
+
+std::optional<BuildError> link_error(const std::vector<std::string>& lines) {
+  static const std::regex missing(
+      R"((?:undefined reference to|undefined symbol:) [`'"]?(.*?)['"]?$)");
+  static const std::regex twice(R"(multiple definition of [`'"](.*?)['"])");
+  for (const std::string& line : lines) {
+    std::smatch match;
+    if (std::regex_search(line, match, missing)) {
+      return BuildError{0, 0,
+                        match[1].str() +
+                            " is declared in api.hpp, but your file does not define "
+                            "it: compare name, parameters, const and namespace.",
+                        ""};
+    }
+    if (std::regex_search(line, match, twice)) {
+      return BuildError{0, 0, match[1].str() + " is defined twice.", ""};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<BuildError> first_build_error(std::string_view output, const fs::path& answer) {
+  const std::vector<std::string> lines = split_lines(output);
+  // An error inside a library's template names the learner's line before or after it: keep the
+  // last place in the learner's file that was mentioned.
+  std::optional<Remark> mention;
+  std::optional<BuildError> foreign;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::optional<Remark> remark = parse_remark(lines[i]);
+    if (!remark) continue;
+    const bool is_mine = fs::path(remark->file).filename() == answer.filename();
+    const bool is_error = remark->kind.ends_with("error");
+    if (is_mine && is_error) {
+      return BuildError{remark->line, remark->column, remark->message, code_below(lines, i)};
+    }
+    if (is_mine && foreign && foreign->line == 0) foreign->line = remark->line;
+    if (is_mine && remark->kind.empty()) mention = remark;
+    if (is_error && !foreign) {
+      foreign = BuildError{mention ? mention->line : 0, 0, remark->message, ""};
+    }
+  }
+  if (foreign && foreign->line > 0) return foreign;
+  return link_error(lines);
+}
+
+}  // namespace lt

@@ -1,0 +1,9 @@
+#include "api.hpp"
+
+namespace exercise {
+
+double halve(double x) {
+  return x / 2;
+}
+
+}  // namespace exercise

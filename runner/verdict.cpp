@@ -1,0 +1,223 @@
+#include "runner/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <regex>
+
+#include "common/files.hpp"
+#include "runner/text.hpp"
+
+namespace lt {
+
+namespace fs = std::filesystem;
+
+std::set<std::string> TestOutput::tags() const {
+  std::set<std::string> tags;
+  for (const Finding& finding : findings)
+    tags.insert(finding.tag);
+  return tags;
+}
+
+namespace {
+
+// What stands behind `mark` in the line, if the mark is there. A learner's own output without a
+// newline may stand before it.
+std::optional<std::string> after(const std::string& line, std::string_view mark) {
+  const std::size_t start = line.find(mark);
+  if (start == std::string::npos) return std::nullopt;
+  return line.substr(start + mark.size());
+}
+
+std::optional<NotWrittenYet> parse_not_written(const std::string& rest) {
+  static const std::regex pattern(R"( ?(.+?):(\d{1,7}): (.*))");
+  std::smatch match;
+  if (!std::regex_match(rest, match, pattern)) return std::nullopt;
+  return NotWrittenYet{match[1], std::stoi(match[2]), match[3]};
+}
+
+std::optional<Finding> parse_finding(const std::string& rest) {
+  const std::size_t end = rest.find(']');
+  if (end == std::string::npos) return std::nullopt;
+  return Finding{rest.substr(0, end), trimmed(rest.substr(end + 1))};
+}
+
+// The sentence of the last TEST_CASE at or above a line of test.cpp.
+std::string test_case_above(const std::vector<std::string>& lines, int line) {
+  static const std::regex pattern(R"(^\s*TEST_CASE\(\s*"([^"]*)\")");
+  std::string sentence;
+  for (int i = 0; i < std::min(line, static_cast<int>(lines.size())); ++i) {
+    std::smatch match;
+    if (std::regex_search(lines[static_cast<std::size_t>(i)], match, pattern)) sentence = match[1];
+  }
+  return sentence;
+}
+
+// Splits Catch2's "EXPRESSION for: VALUES with 2 messages: 'a' and 'b'".
+void split_failure(std::string text, FailedCheck& check) {
+  static const std::regex messages(R"( with \d+ messages?: (.*)$)");
+  static const std::regex thrown(
+      R"(^unexpected exception with messages?: '(.*?)'(?: and .*)?(?:; expression was: (.*))?$)");
+  std::smatch match;
+  if (std::regex_match(text, match, thrown)) {
+    check.message = "an exception came out: " + match[1].str();
+    check.expression = match[2];
+    return;
+  }
+  if (std::regex_search(text, match, messages)) {
+    check.message = match[1];
+    text = match.prefix();
+  }
+  const std::size_t values = text.find(" for: ");
+  check.expression = text.substr(0, values);
+  if (values != std::string::npos) check.values = text.substr(values + 6);
+  if (check.expression == "explicitly") check.expression.clear();
+}
+
+std::optional<FailedCheck> first_failed_check(std::string_view report, std::string_view test_cpp) {
+  static const std::regex pattern(R"(^.*?[:(](\d{1,7})\)?: failed: (.*)$)");
+  for (const std::string& line : split_lines(report)) {
+    std::smatch match;
+    if (!std::regex_match(line, match, pattern)) continue;
+    FailedCheck check;
+    check.line = std::stoi(match[1]);
+    check.sentence = test_case_above(split_lines(test_cpp), check.line);
+    split_failure(match[2], check);
+    return check;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+TestOutput read_test_output(std::string_view output, std::string_view report,
+                            std::string_view test_cpp) {
+  TestOutput result;
+  for (const std::string& line : split_lines(output)) {
+    if (const auto rest = after(line, "[not-written]")) {
+      if (!result.not_written) {
+        result.not_written = parse_not_written(*rest);
+        result.is_todo_first = result.findings.empty();
+      }
+    } else if (const auto diagnosed = after(line, "[diag:")) {
+      if (const auto finding = parse_finding(*diagnosed)) result.findings.push_back(*finding);
+    } else if (const auto fact = after(line, "[measured] ")) {
+      result.measured.push_back(*fact);
+    } else {
+      result.printed.push_back(printable(line));
+    }
+  }
+  result.failed_check = first_failed_check(report, test_cpp);
+  return result;
+}
+
+std::string signal_in_words(int signal) {
+  switch (signal) {
+    case SIGSEGV:
+      return "it read or wrote memory that is not its own (SIGSEGV): an index, a pointer or an "
+             "iterator is out of range, or a function calls itself without end";
+    case SIGABRT:
+      return "it gave up on itself (SIGABRT): an assertion failed or an exception met noexcept";
+    case SIGFPE:
+      return "it divided a whole number by zero (SIGFPE)";
+    case SIGILL:
+      return "it ran into an instruction that must not be reached (SIGILL)";
+#ifndef _WIN32
+    case SIGBUS:
+      return "it touched memory that is not there (SIGBUS)";
+    case SIGTRAP:
+      return "it ran into a trap (SIGTRAP)";
+    case SIGKILL:
+      return "the system stopped it (SIGKILL): did it ask for too much memory?";
+#endif
+    default:
+      return "signal " + std::to_string(signal) + " stopped it";
+  }
+}
+
+bool is_sanitizer_report(std::string_view output) {
+  return output.find("ERROR: AddressSanitizer") != std::string_view::npos ||
+         output.find("WARNING: ThreadSanitizer") != std::string_view::npos ||
+         output.find(": runtime error: ") != std::string_view::npos;
+}
+
+Verdict verdict_on_build(const BuildError& error) {
+  Verdict verdict;
+  verdict.line = error.line;
+  verdict.says = error.message;
+  if (!trimmed(error.location).empty()) {
+    verdict.details.push_back(error.location);
+    if (error.column > 0 && error.column <= static_cast<int>(error.location.size()) + 1) {
+      verdict.details.push_back(std::string(static_cast<std::size_t>(error.column) - 1, ' ') + "^");
+    }
+  }
+  return verdict;
+}
+
+namespace {
+
+// libstdc++ says which assertion failed; its condition is what a person wants to know.
+void add_assertion(const TestOutput& output, Verdict& verdict) {
+  for (const std::string& line : output.printed) {
+    if (line.find("Assertion") != std::string::npos ||
+        line.find("assertion") != std::string::npos) {
+      verdict.details.push_back(line);
+      return;
+    }
+  }
+}
+
+std::string in_check(const TestOutput& output) {
+  if (!output.failed_check || output.failed_check->sentence.empty()) return "";
+  return " while this was checked: \"" + output.failed_check->sentence + "\"";
+}
+
+void describe(const FailedCheck& check, Verdict& verdict) {
+  verdict.says = check.sentence.empty() ? "A check does not hold."
+                                        : "This does not hold yet: \"" + check.sentence + "\"";
+  if (!check.expression.empty()) verdict.details.push_back("checked:  " + check.expression);
+  if (!check.values.empty()) verdict.details.push_back("there:    " + check.values);
+  if (!check.message.empty()) verdict.details.push_back("about it: " + check.message);
+  verdict.details.push_back("(test.cpp, line " + std::to_string(check.line) + ")");
+}
+
+void describe(const Exercise& exercise, const Finding& finding, Verdict& verdict) {
+  const Mutant* mutant = exercise.mutant(finding.tag);
+  verdict.says = mutant != nullptr ? mutant->says : finding.seen;
+  if (mutant != nullptr && !finding.seen.empty())
+    verdict.details.push_back("seen: " + finding.seen);
+}
+
+}  // namespace
+
+Verdict verdict_on_run(const Exercise& exercise, const ProcessResult& result,
+                       const TestOutput& output, double seconds_allowed) {
+  Verdict verdict;
+  verdict.printed = output.printed;
+  if (output.not_written && output.is_todo_first) {
+    verdict.kind = VerdictKind::not_started;
+    verdict.line = output.not_written->line;
+    verdict.says = output.not_written->what_to_do;
+  } else if (!output.findings.empty()) {
+    describe(exercise, output.findings.front(), verdict);
+  } else if (result.timed_out) {
+    const int seconds = static_cast<int>(std::lround(seconds_allowed));
+    verdict.says = "It was still running after " + std::to_string(seconds) + " s" +
+                   in_check(output) + ". Is there a loop that never ends?";
+  } else if (result.signal != 0) {
+    verdict.says =
+        "The program crashed" + in_check(output) + ": " + signal_in_words(result.signal) + ".";
+    add_assertion(output, verdict);
+  } else if (output.failed_check) {
+    describe(*output.failed_check, verdict);
+  } else if (result.succeeded()) {
+    verdict.kind = VerdictKind::done;
+    verdict.measured = output.measured;
+  } else {
+    verdict.says = "The program ended early with exit code " + std::to_string(result.exit_code) +
+                   ", before the checks were over.";
+  }
+  return verdict;
+}
+
+}  // namespace lt
