@@ -1,0 +1,17 @@
+/// @file
+/// Names and shapes of files.
+#pragma once
+
+#include "tests/house/finding.hpp"
+#include "tests/house/tree.hpp"
+
+namespace lt::house {
+
+/// - Chapters are ch01_lower_case, C++ files snake_case.hpp or .cpp and at most 200 lines long,
+///   tests end in _test.cpp, figures and exercises are lower-case-with-hyphens.
+/// - Headers start with `#pragma once` below their comment.
+/// - Text files end with a newline, have no tabs (Makefiles aside), no blanks at the ends of lines
+///   and no carriage returns.
+[[nodiscard]] Findings check_names(const Tree& tree);
+
+}  // namespace lt::house

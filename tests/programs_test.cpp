@@ -1,0 +1,111 @@
+// Every chapter's program as a person meets it who asks for help, mistypes, or has a full disk.
+#include "tests/house/programs.hpp"
+
+#include <algorithm>
+
+#include "common/files.hpp"
+#include "common/testkit/catch.hpp"
+#include "tests/house/chapters.hpp"
+#include "tests/house/process.hpp"
+
+using namespace lt::house;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+Outcome run_in(const std::filesystem::path& folder, const Program& program, const Words& words) {
+  Words command = {program.file.string()};
+  command.insert(command.end(), words.begin(), words.end());
+  return run(command, folder);
+}
+
+std::string shown(const Program& program, const Words& words) {
+  std::string line = program.chapter;
+  for (const std::string& word : words)
+    line += " " + word;
+  return line;
+}
+
+// One line on stderr that starts with the program's name and says `names`; nothing else printed.
+void check_one_line(const Program& program, const Outcome& outcome, const std::string& names) {
+  INFO("stderr: " << outcome.err);
+  CHECK(outcome.out.empty());
+  CHECK(std::ranges::count(outcome.err, '\n') == 1);
+  CHECK(outcome.err.starts_with(program.chapter + ": "));
+  CHECK(outcome.err.find(names) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("programs: there is one for every chapter") {
+  std::vector<std::string> chapters;
+  for (const Program& program : programs())
+    chapters.push_back(program.chapter);
+  CHECK(chapters == chapters_of(Tree(LT_ROOT)));
+}
+
+TEST_CASE("programs: --help says what a program takes and ends well") {
+  for (const Program& program : programs()) {
+    const TemporaryFolder folder;
+    const Outcome outcome = run_in(folder.path(), program, {"--help"});
+    INFO(program.chapter);
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.err.empty());
+    for (const std::string option : {"--width", "--height", "--out", "--help"}) {
+      CHECK(outcome.out.find(option) != std::string::npos);
+    }
+    CHECK(std::filesystem::is_empty(folder.path()));
+  }
+}
+
+TEST_CASE("programs: bad input ends with one line that names it - exit code 2 - and no file") {
+  struct Mistake {
+    Words words;
+    std::string names;
+  };
+  const std::vector<Mistake> mistakes = {
+      {{"--no-such-option"}, "--no-such-option"},
+      {{"stray"}, "stray"},
+      {{"--width", "0"}, "--width"},
+      {{"--width", "-5"}, "--width"},
+      {{"--width", "abc"}, "--width"},
+      {{"--width", "12.5"}, "--width"},
+      {{"--width", "1000000000"}, "--width"},
+      {{"--width", "99999999999999999999"}, "--width"},
+      {{"--height", ""}, "--height"},
+      {{"--height"}, "--height"},
+      {{"--out"}, "--out"},
+      {{"--out", "picture.bmp"}, "picture.bmp"},
+      {{"--out", "picture"}, "picture"},
+  };
+  for (const Program& program : programs()) {
+    for (const Mistake& mistake : mistakes) {
+      const TemporaryFolder folder;
+      const Outcome outcome = run_in(folder.path(), program, mistake.words);
+      INFO(shown(program, mistake.words));
+      CHECK(outcome.exit_code == 2);
+      check_one_line(program, outcome, mistake.names);
+      CHECK(std::filesystem::is_empty(folder.path()));
+    }
+  }
+}
+
+TEST_CASE("programs: a place that cannot be written ends with one line and exit code 1") {
+  for (const Program& program : programs()) {
+    const TemporaryFolder folder;
+    lt::write_file_whole(folder.path() / "file", "not a folder");
+    std::filesystem::create_directory(folder.path() / "folder.png");
+    for (const std::string out : {"file/picture.png", "folder.png"}) {
+      const Words words = {"--width", "8", "--height", "8", "--out", out};
+      const Outcome outcome = run_in(folder.path(), program, words);
+      INFO(shown(program, words) << "\nstderr: " << outcome.err);
+      CHECK(outcome.exit_code == 1);
+      CHECK(outcome.err.find(out) != std::string::npos);
+      CHECK(lt::read_file(folder.path() / "file") == "not a folder");
+      CHECK(std::filesystem::is_empty(folder.path() / "folder.png"));
+    }
+    const auto entries = std::filesystem::directory_iterator(folder.path());
+    CHECK(std::distance(begin(entries), end(entries)) == 2);  // nothing half-written is left
+  }
+}
