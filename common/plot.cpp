@@ -31,7 +31,7 @@ std::string text(double x, double y, std::string_view attributes, const std::str
 
 std::string tick_text(const Tick& tick) {
   if (tick.exponent.empty()) return tick.text;
-  return tick.text + "<tspan dy=\"-7\" font-size=\"15\">" + tick.exponent + "</tspan>";
+  return tick.text + "<tspan dy=\"-8\" font-size=\"15\">" + tick.exponent + "</tspan>";
 }
 
 double tick_width(const Tick& tick) {
@@ -44,8 +44,8 @@ class Drawing {
   explicit Drawing(const Plot& plot) : plot_(plot) {
     title_ = wrap(plot.title, 0.9 * (full_width - 2 * border));  // its letters are bold
     const auto lines_above = static_cast<double>(title_.size() + (plot.y_label.empty() ? 0 : 1));
-    top_ = border + line_height * lines_above + 16;
-    bottom_ = full_height - border - line_height * (plot.x_label.empty() ? 1 : 2) - 8;
+    top_ = border + line_height * lines_above + 17;
+    bottom_ = full_height - border - line_height * (plot.x_label.empty() ? 1 : 2) - 9;
     make_axes();
     place_labels();
   }
@@ -158,7 +158,7 @@ class Drawing {
     constexpr std::string_view centred = " class=\"quiet\" text-anchor=\"middle\"";
     const double middle = (left_ + right_) / 2;
     std::string texts;
-    double y = border + 16;
+    double y = border + 17;
     for (const std::string& line : title_) {
       texts += text(border, y, " class=\"title\"", escape_xml(line));
       y += line_height;
@@ -172,10 +172,10 @@ class Drawing {
   [[nodiscard]] std::string tick_texts() const {
     std::string texts;
     for (const Tick& tick : y_.ticks)
-      texts += text(left_ - 9, y_at(tick.value) + 6, " class=\"quiet\" text-anchor=\"end\"",
+      texts += text(left_ - 9, y_at(tick.value) + 7, " class=\"quiet\" text-anchor=\"end\"",
                     tick_text(tick));
     for (const Tick& tick : x_.ticks)
-      texts += text(x_at(tick.value), bottom_ + 24, " class=\"quiet\" text-anchor=\"middle\"",
+      texts += text(x_at(tick.value), bottom_ + 26, " class=\"quiet\" text-anchor=\"middle\"",
                     tick_text(tick));
     return texts;
   }
@@ -207,7 +207,7 @@ class Drawing {
       svg += "<path class=\"leader\" d=\"M" + svg_number(label.end_x + 5) + " " +
              svg_number(label.end_y) + "H" + svg_number(right_) + "L" + svg_number(right_ + 11) +
              " " + svg_number(label.y) + "\"/>\n";
-    double y = label.y - label.height() / 2 + 16;
+    double y = label.y - label.height() / 2 + 18;
     for (const std::string& line : label.lines) {
       svg += text(right_ + 14, y, "", escape_xml(line));
       y += line_height;

@@ -9,8 +9,8 @@
 namespace lt {
 
 /// Size of all words in a plot, in units of its viewBox: half of it in pixels on a phone.
-inline constexpr double font_size = 18;
-inline constexpr double line_height = 21;
+inline constexpr double font_size = 20;
+inline constexpr double line_height = 23;
 
 /// A length with one decimal, as SVG wants it.
 [[nodiscard]] std::string svg_number(double value);

@@ -1,12 +1,9 @@
 #include "common/testkit/statistics.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <queue>
 
 namespace lt {
 
@@ -33,7 +30,7 @@ bool ZTest::agrees(double smallest_effect) const {
 ZTest z_test(double mean, double standard_error, double expected) {
   const double difference = mean - expected;
   const double effect = expected == 0 ? difference : difference / std::abs(expected);
-  if (difference == 0) return {0, 0};
+  if (difference == 0 && standard_error >= 0) return {0, 0};
   if (standard_error == 0)
     return {std::copysign(std::numeric_limits<double>::infinity(), difference), effect};
   return {difference / standard_error, effect};
@@ -98,9 +95,10 @@ ChiSquare chi_square(std::span<const double> observed, std::span<const double> e
   std::vector<Bin> bins;
   Bin open{0, 0};
   for (std::size_t i = 0; i < observed.size(); ++i) {
-    // Where nothing can fall, nothing may have fallen: pooling must not hide it.
-    if (expected[i] == 0 && observed[i] > 0)
-      return {std::numeric_limits<double>::infinity(), 1, 0.0};
+    // Where nothing can fall, nothing may have fallen: pooling must not hide it. Nor NaN.
+    const bool is_impossible = expected[i] == 0 && observed[i] != 0;
+    if (is_impossible || !(expected[i] >= 0) || !(observed[i] >= 0))
+      return {std::numeric_limits<double>::infinity(), 1, 0};
     open.observed += observed[i];
     open.expected += expected[i];
     if (open.expected < pool_below || open.expected == 0) continue;
@@ -156,86 +154,6 @@ KolmogorovSmirnov kolmogorov_smirnov(std::vector<double> samples,
   }
   const double root = std::sqrt(n);
   return {distance, kolmogorov_tail(distance * (root + 0.12 + 0.11 / root))};
-}
-
-namespace {
-
-// Nodes and weights of Gauss (7 points) and Kronrod (15 points) on [-1, 1], positive half
-// (QUADPACK, Piessens et al. 1983, routine qk15).
-constexpr std::array<double, 8> kronrod_nodes = {
-    0.991455371120812639206854697526329, 0.949107912342758524526189684047851,
-    0.864864423359769072789712788640926, 0.741531185599394439863864773280788,
-    0.586087235467691130294144838258730, 0.405845151377397166906606412076961,
-    0.207784955007898467600689403773245, 0.0};
-constexpr std::array<double, 8> kronrod_weights = {
-    0.022935322010529224963732008058970, 0.063092092629978553290700663189204,
-    0.104790010322250183839876322541518, 0.140653259715525918745189590510238,
-    0.169004726639267902826583426598550, 0.190350578064785409913256402421014,
-    0.204432940075298892414161999234649, 0.209482141084727828012999174891714};
-constexpr std::array<double, 4> gauss_weights = {
-    0.129484966168869693270611432679082, 0.279705391489276667901467771423780,
-    0.381830050505118944950369775488975, 0.417959183673469387755102040816327};
-
-struct Piece {
-  double a, b, integral, error;
-  bool operator<(const Piece& other) const { return error < other.error; }
-};
-
-Piece gauss_kronrod(const std::function<double(double)>& f, double a, double b) {
-  const double centre = 0.5 * (a + b);
-  const double half = 0.5 * (b - a);
-  const double middle = f(centre);
-  double kronrod = kronrod_weights[7] * middle;
-  double gauss = gauss_weights[3] * middle;
-  for (std::size_t i = 0; i < 7; ++i) {
-    const double left = f(centre - half * kronrod_nodes[i]);
-    const double right = f(centre + half * kronrod_nodes[i]);
-    kronrod += kronrod_weights[i] * (left + right);
-    if (i % 2 == 1) gauss += gauss_weights[i / 2] * (left + right);
-  }
-  return {a, b, kronrod * half, std::abs((kronrod - gauss) * half)};
-}
-
-}  // namespace
-
-double integrate(const std::function<double(double)>& f, double a, double b, double tolerance) {
-  // Several pieces from the start, so that a narrow peak is not missed between the nodes.
-  constexpr int first_pieces = 8;
-  constexpr int most_pieces = 4000;
-  std::priority_queue<Piece> pieces;
-  double error = 0;
-  for (int i = 0; i < first_pieces; ++i) {
-    const double low = a + (b - a) * i / first_pieces;
-    const double high = i + 1 == first_pieces ? b : a + (b - a) * (i + 1) / first_pieces;
-    pieces.push(gauss_kronrod(f, low, high));
-  }
-  (void)error;
-  const auto total_error = [&] {
-    double sum = 0;
-    for (auto copy = pieces; !copy.empty(); copy.pop())
-      sum += copy.top().error;
-    return sum;
-  };
-  while (total_error() > tolerance && pieces.size() < most_pieces) {
-    const Piece worst = pieces.top();
-    pieces.pop();
-    const double middle = 0.5 * (worst.a + worst.b);
-    pieces.push(gauss_kronrod(f, worst.a, middle));
-    pieces.push(gauss_kronrod(f, middle, worst.b));
-  }
-  double sum = 0;
-  for (; !pieces.empty(); pieces.pop())
-    sum += pieces.top().integral;
-  return sum;
-}
-
-double integrate_2d(const std::function<double(double, double)>& f, double ax, double bx, double ay,
-                    double by, double tolerance) {
-  const double inner = tolerance / std::max(1.0, std::abs(bx - ax));
-  const auto strip = [&](double x) {
-    return integrate([&](double y) { return f(x, y); }, ay, by, inner);
-  };
-  return integrate(strip, ax, bx, tolerance);
 }
 
 }  // namespace lt

@@ -32,6 +32,7 @@ struct ZTest {
   double z;       ///< (mean - expected) / standard error; 0 if both agree exactly, +-inf if se is 0
   double effect;  ///< (mean - expected) / |expected|, or mean - expected where expected is 0
   /// True unless |z| > 6 *and* |effect| > smallest_effect: a right answer fails once in 5e8 draws.
+  /// False if anything is NaN.
   [[nodiscard]] bool agrees(double smallest_effect = 0) const;
 };
 
@@ -47,7 +48,7 @@ struct ChiSquare {
 
 /// @param observed  counts, one per bin
 /// @param expected  expected counts, as many; neighbouring bins are pooled until each expects at
-///                  least `pool_below`. A sample in a bin that expects 0 gives p = 0.
+///                  least `pool_below`. A sample in a bin that expects 0 gives p = 0, so does NaN.
 [[nodiscard]] ChiSquare chi_square(std::span<const double> observed,
                                    std::span<const double> expected, double pool_below = 50);
 
@@ -65,7 +66,10 @@ struct KolmogorovSmirnov {
 [[nodiscard]] double chi_square_tail(double x, int degrees_of_freedom);
 
 /// Adaptive Gauss-Kronrod quadrature of f over [a, b] in double precision.
-/// @param tolerance  absolute error aimed at
+/// @param tolerance  absolute error aimed at; where f is too noisy for it (it may compute in
+/// float),
+///                   the error is that of f
+/// @return NaN if f gives NaN or infinity
 [[nodiscard]] double integrate(const std::function<double(double)>& f, double a, double b,
                                double tolerance = 1e-10);
 
