@@ -6,11 +6,13 @@
 
 #include "ch01_pixels/image.hpp"
 #include "common/error.hpp"
+#include "common/files.hpp"
 #include "common/pixel_io.hpp"
 
 namespace lt {
 
-/// The picture as 8-bit sRGB codes.
+// [to-codes]
+/// The picture as 8-bit sRGB codes, row by row from the top.
 [[nodiscard]] inline Pixels8 to_codes(const Image& image) {
   Pixels8 codes{image.width(), image.height(), {}};
   codes.rgb.reserve(static_cast<std::size_t>(image.width()) * image.height() * 3);
@@ -19,6 +21,18 @@ namespace lt {
       for (int c = 0; c < 3; ++c)
         codes.rgb.push_back(to_code(image.at(x, y)[c]));
   return codes;
+}
+// [to-codes]
+
+/// The picture's numbers as they are, row by row from the top.
+[[nodiscard]] inline PixelsFloat to_floats(const Image& image) {
+  PixelsFloat floats{image.width(), image.height(), {}};
+  floats.rgb.reserve(static_cast<std::size_t>(image.width()) * image.height() * 3);
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      for (int c = 0; c < 3; ++c)
+        floats.rgb.push_back(image.at(x, y)[c]);
+  return floats;
 }
 
 /// The linear picture behind 8-bit sRGB codes.
@@ -32,19 +46,24 @@ namespace lt {
   return image;
 }
 
-/// Writes `image` as the extension says: ".png" or ".pfm".
+/// @throws InputError  `path` does not end in ".png" or ".pfm"
+inline void require_picture_path(const std::filesystem::path& path) {
+  if (path.extension() == ".png" || path.extension() == ".pfm") return;
+  throw InputError("--out: " + printable(path.string()) + " is no picture; end it in .png or .pfm");
+}
+
+// [save-image]
+/// Writes `image` as the extension says: codes into a ".png", the numbers as they are into a
+/// ".pfm".
 /// @throws InputError   another extension
 /// @throws OutputError  the file cannot be written; an older file of that name is intact
 inline void save_image(const std::filesystem::path& path, const Image& image) {
-  if (path.extension() == ".png") return write_png(path, to_codes(image));
-  if (path.extension() != ".pfm")
-    throw InputError("--out: " + path.string() + " is no picture; end it in .png or .pfm");
-  PixelsFloat pixels{image.width(), image.height(), {}};
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x)
-      for (int c = 0; c < 3; ++c)
-        pixels.rgb.push_back(image.at(x, y)[c]);
-  write_pfm(path, pixels);
+  require_picture_path(path);
+  if (path.extension() == ".png")
+    write_png(path, to_codes(image));
+  else
+    write_pfm(path, to_floats(image));
 }
+// [save-image]
 
 }  // namespace lt
