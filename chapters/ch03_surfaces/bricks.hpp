@@ -24,15 +24,14 @@ inline PatternPoint bricks_at(vec2 uv) {
   using namespace brick_wall;
   // No bricklayer is perfect: edges wander a little.
   const vec2 wander(fbm(uv, {12, 24}, 4, 10), fbm(uv, {12, 24}, 4, 20));
-  const vec2 bent = wrapped(uv + 0.006f * wander);
+  const vec2 bent = uv + 0.006f * wander;
 
   // Which brick, and where on it, from its middle, in heights of a course.
-  const int course = wrapped(static_cast<int>(bent.y * courses), courses);
-  const float along = bent.x * bricks + (course % 2 == 0 ? 0.0f : 0.5f);
-  const int brick = wrapped(static_cast<int>(along), bricks);
+  const ivec2 grid(bricks, courses);
+  const bool odd = on_grid(bent, grid).cell.y % 2 == 1;
+  const GridPoint brick = on_grid(bent + vec2(odd ? 0.5f / bricks : 0.0f, 0.0f), grid);
   const float aspect = static_cast<float>(courses) / bricks;
-  const vec2 on_brick((along - std::floor(along) - 0.5f) * aspect,
-                      bent.y * courses - static_cast<float>(course) - 0.5f);
+  const vec2 on_brick = (brick.within - 0.5f) * vec2(aspect, 1.0f);
 
   // 1 on the brick's face, 0 in the joint, round between.
   const vec2 half = (vec2(aspect, 1.0f) - joint) / 2.0f;
@@ -41,7 +40,7 @@ inline PatternPoint bricks_at(vec2 uv) {
   const float face = glm::smoothstep(-0.04f, 0.14f, inside);
 
   // What the fire did to this brick: how light, how yellow, how it sits.
-  const auto luck = [&](int seed) { return cell_random(brick, course, seed); };
+  const auto luck = [&](int draw) { return cell_random(brick.cell.x, brick.cell.y, draw); };
   const Rgb red(0.74f, 0.43f, 0.34f), straw(0.86f, 0.66f, 0.50f), plum(0.58f, 0.37f, 0.36f);
   Rgb color = glm::mix(red, luck(1) < 0.7f ? straw : plum, 0.8f * luck(2) * luck(2));
   color *= 0.85f + 0.25f * luck(3);

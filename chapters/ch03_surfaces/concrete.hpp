@@ -24,11 +24,9 @@ inline constexpr float tie_depth = 0.006f;
 inline PatternPoint concrete_at(vec2 uv) {
   using namespace concrete_wall;
   // Which panel, and where on it: from its top left corner, in sides of the wall.
-  const vec2 p = uv * vec2(panels);
-  const ivec2 panel(wrapped(static_cast<int>(p.x), panels.x),
-                    wrapped(static_cast<int>(p.y), panels.y));
+  const GridPoint panel = on_grid(uv, panels);
   const vec2 side = 1.0f / vec2(panels);
-  const vec2 on_panel = (p - glm::floor(p)) * side;
+  const vec2 on_panel = panel.within * side;
 
   // Seams at the panel's edges; ties at a quarter and three quarters of it, across and down.
   const vec2 to_edge = glm::min(on_panel, side - on_panel);
@@ -43,7 +41,7 @@ inline PatternPoint concrete_at(vec2 uv) {
   const float bubbles = glm::max(pits(uv, {96, 96}, 0.12f, 130), pits(uv, {48, 48}, 0.06f, 140));
 
   // Color: each panel its own grey; holes are dark, seams a little.
-  const float batch = cell_random(panel.x, panel.y, 150) - 0.5f;
+  const float batch = cell_random(panel.cell.x, panel.cell.y, 150) - 0.5f;
   float grey = 0.68f * (1.0f + 0.12f * batch + 0.7f * clouds + 0.25f * streaks + 0.3f * sand);
   grey *= 1.0f - 0.25f * seam_here;
   grey *= 1.0f - 0.55f * tie_here;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "common/math.hpp"
+#include "ch03_surfaces/texture.hpp"
 
 namespace lt {
 
@@ -35,17 +35,21 @@ namespace lt {
 }
 // [scramble]
 
-// [torus]
-/// uv into [0, 1]: outside the unit square, the pattern repeats.
-[[nodiscard]] inline vec2 wrapped(vec2 uv) {
-  return uv - glm::floor(uv);
-}
+// [grid]
+/// Where a point lies on a grid of cells on the unit square, which repeats without end.
+struct GridPoint {
+  ivec2 cell;   ///< column and row, from 0
+  vec2 within;  ///< from the cell's top left corner, 0 to 1
+};
 
-/// An index that has run off the end of n cells, at most once, starts again at 0.
-[[nodiscard]] constexpr int wrapped(int index, int n) {
-  return index < n ? index : index - n;
+/// @param cells  along u and v, >= 1
+[[nodiscard]] inline GridPoint on_grid(vec2 uv, ivec2 cells) {
+  assert(cells.x >= 1 && cells.y >= 1);
+  const vec2 p = (uv - glm::floor(uv)) * vec2(cells);
+  const ivec2 cell(p);
+  return {{wrap(cell.x, cells.x), wrap(cell.y, cells.y)}, p - vec2(cell)};
 }
-// [torus]
+// [grid]
 
 /// 0 to 1 for t from 0 to 1, with zero slope and curvature at both ends (Perlin 2002).
 [[nodiscard]] constexpr float smoother(float t) {
@@ -58,22 +62,19 @@ namespace lt {
 /// @param cells  cells of the grid along u and v, >= 1: more cells, smaller hills
 /// @return -1 to 1, mean 0, mostly within +-0.4
 [[nodiscard]] inline float noise(vec2 uv, ivec2 cells, std::uint32_t seed) {
-  assert(cells.x >= 1 && cells.y >= 1);
-  const vec2 p = wrapped(uv) * vec2(cells);
-  const ivec2 cell(p);
-  const vec2 in_cell = p - vec2(cell);
+  const GridPoint p = on_grid(uv, cells);
 
-  // The plane through 0 at a corner, with that corner's slopes, both in [-1, 1].
+  // The plane through 0 at a corner of the cell, with that corner's slopes, both in [-1, 1].
   const auto plane = [&](int right, int down) {
     const std::uint32_t bits =
-        cell_bits(wrapped(cell.x + right, cells.x), wrapped(cell.y + down, cells.y), seed);
+        cell_bits(wrap(p.cell.x + right, cells.x), wrap(p.cell.y + down, cells.y), seed);
     const vec2 slope = vec2(bits & 0xffffU, bits >> 16) / 32767.5f - 1.0f;
-    return dot(slope, in_cell - vec2(right, down));
+    return dot(slope, p.within - vec2(right, down));
   };
 
   // Blend the four corners' planes.
-  const float x = smoother(in_cell.x);
-  const float y = smoother(in_cell.y);
+  const float x = smoother(p.within.x);
+  const float y = smoother(p.within.y);
   return glm::mix(glm::mix(plane(0, 0), plane(1, 0), x), glm::mix(plane(0, 1), plane(1, 1), x), y);
 }
 // [noise]
@@ -103,16 +104,13 @@ namespace lt {
 /// @param share  of the cells that have one, 0 to 1
 /// @return depth: 0 outside, rising to at most 1 in the middle of the largest
 [[nodiscard]] inline float pits(vec2 uv, ivec2 cells, float share, std::uint32_t seed) {
-  const vec2 p = wrapped(uv) * vec2(cells);
-  const ivec2 cell(wrapped(static_cast<int>(p.x), cells.x),
-                   wrapped(static_cast<int>(p.y), cells.y));
-  if (cell_random(cell.x, cell.y, seed) >= share) return 0.0f;
+  const GridPoint p = on_grid(uv, cells);
+  const auto luck = [&](int draw) { return cell_random(p.cell.x, p.cell.y, seed + draw); };
+  if (luck(0) >= share) return 0.0f;
 
-  const float size = cell_random(cell.x, cell.y, seed + 1);
-  const float radius = 0.1f + 0.3f * size * size;  // in cells: many small ones, few large ones
-  const vec2 place(cell_random(cell.x, cell.y, seed + 2), cell_random(cell.x, cell.y, seed + 3));
-  const vec2 center = radius + (1.0f - 2.0f * radius) * place;
-  const float distance = glm::distance(p - glm::floor(p), center) / radius;
+  const float radius = 0.1f + 0.3f * luck(1) * luck(1);  // in cells: many small ones, few large
+  const vec2 center = radius + (1.0f - 2.0f * radius) * vec2(luck(2), luck(3));
+  const float distance = glm::distance(p.within, center) / radius;
   return distance < 1.0f ? radius / 0.4f * (1.0f - distance * distance) : 0.0f;
 }
 // [pits]

@@ -22,13 +22,12 @@ inline constexpr float depth = 0.003f;  ///< of the gaps, in squares
 inline PatternPoint planks_at(vec2 uv) {
   using namespace plank_floor;
   // Which board, and where on it, from its middle, in widths of a board.
-  const float down = wrapped(uv).y * rows;
-  const int row = wrapped(static_cast<int>(down), rows);
-  const float along = wrapped(vec2(uv.x + cell_random(0, row, 300), 0.0f)).x * boards;
-  const int board = wrapped(static_cast<int>(along), boards);
+  const ivec2 grid(boards, rows);
+  const float shift = cell_random(0, on_grid(uv, grid).cell.y, 300);
+  const GridPoint board = on_grid(uv + vec2(shift, 0.0f), grid);
   const float length = static_cast<float>(rows) / boards;
-  const vec2 on_board((along - std::floor(along) - 0.5f) * length, down - std::floor(down) - 0.5f);
-  const auto luck = [&](int seed) { return cell_random(board, row, 310 + seed); };
+  const vec2 on_board = (board.within - 0.5f) * vec2(length, 1.0f);
+  const auto luck = [&](int draw) { return cell_random(board.cell.x, board.cell.y, 310 + draw); };
   const vec2 to_edge = vec2(length, 1.0f) / 2.0f - glm::abs(on_board);
   const float wood_here = glm::smoothstep(0.3f * gap, gap, glm::min(to_edge.x, to_edge.y));
 

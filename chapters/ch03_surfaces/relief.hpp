@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ch01_pixels/image.hpp"
+#include "ch03_surfaces/texture.hpp"
 #include "ch03_surfaces/texture_maps.hpp"
 
 namespace lt {
@@ -23,16 +24,13 @@ class HeightField {
   }
 
   [[nodiscard]] int size() const { return size_; }
-  /// x to the right, y down; from -1 to size: one beyond each edge is the opposite edge.
+  /// x to the right, y down; beyond each edge comes the opposite one.
   [[nodiscard]] float& at(int x, int y) { return heights_[index(x, y)]; }
   [[nodiscard]] float at(int x, int y) const { return heights_[index(x, y)]; }
 
  private:
   [[nodiscard]] std::size_t index(int x, int y) const {
-    assert(x >= -1 && x <= size_ && y >= -1 && y <= size_);
-    const int column = (x + size_) % size_;
-    const int row = (y + size_) % size_;
-    return static_cast<std::size_t>(row) * size_ + column;
+    return static_cast<std::size_t>(wrap(y, size_)) * size_ + wrap(x, size_);
   }
 
   int size_;

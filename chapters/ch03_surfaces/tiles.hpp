@@ -22,14 +22,13 @@ inline constexpr float depth = 0.003f;  ///< of the grout under the tiles' faces
 inline PatternPoint tiles_at(vec2 uv) {
   using namespace tiled_floor;
   // Which tile, and how far from its edge.
-  const vec2 p = uv * static_cast<float>(tiles);
-  const ivec2 tile(wrapped(static_cast<int>(p.x), tiles), wrapped(static_cast<int>(p.y), tiles));
-  const vec2 on_tile = p - glm::floor(p) - 0.5f;
+  const GridPoint tile = on_grid(uv, ivec2(tiles));
+  const vec2 on_tile = tile.within - 0.5f;
   const float inside = -round_box(on_tile, vec2(1.0f - grout) / 2.0f, 0.03f);
   const float glazed = glm::smoothstep(-0.004f, 0.004f, inside);
 
   // Clouds and grain, cut differently for each tile; no kiln repeats a shade.
-  const auto luck = [&](int seed) { return cell_random(tile.x, tile.y, 200 + seed); };
+  const auto luck = [&](int draw) { return cell_random(tile.cell.x, tile.cell.y, 200 + draw); };
   const vec2 cut(luck(0), luck(1));
   const float clouds = fbm(uv + cut, {8, 8}, 5, 210);
   const float sand = fbm(uv + cut, {128, 128}, 2, 220);
