@@ -26,7 +26,8 @@ target_compile_features(lt_options INTERFACE cxx_std_20)
 target_include_directories(lt_options INTERFACE "${LT_ROOT}" "${LT_ROOT}/chapters")
 if(MSVC)
   target_compile_options(lt_options INTERFACE /W4 /permissive- /utf-8 /Zc:preprocessor)
-  target_compile_definitions(lt_options INTERFACE _USE_MATH_DEFINES NOMINMAX)
+  target_compile_definitions(lt_options INTERFACE _USE_MATH_DEFINES NOMINMAX
+    _CRT_SECURE_NO_WARNINGS)
 else()
   target_compile_options(lt_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow
     # Honest speed: no errno from sqrt, no trapping; results stay the same for every compiler.

@@ -44,9 +44,9 @@ fs::path temporary_beside(const fs::path& path) {
   return temporary;
 }
 
-// What a failed stream operation left in errno, in words.
-std::string last_error() {
-  return errno ? std::generic_category().message(errno) : "the write stopped early";
+// What a failed operation on a stream left in errno, in words.
+std::string last_error(const std::string& otherwise) {
+  return errno ? std::generic_category().message(errno) : otherwise;
 }
 
 // Removes a temporary file unless it has been renamed away.
@@ -76,18 +76,19 @@ std::string printable(std::string_view text) {
 
 std::string read_file(const fs::path& path, std::size_t limit) {
   check_readable_kind(path);
-  std::error_code error;
-  const std::uintmax_t size = fs::file_size(path, error);
-  if (!error && size > limit)
-    throw InputError(name_of(path) + " has " + std::to_string(size) + " bytes; at most " +
-                     std::to_string(limit) + " are accepted here");
   errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes(error ? 0 : static_cast<std::size_t>(size), '\0');
-  if (file) file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (error || !file)
-    throw InputError("cannot read " + name_of(path) + ": " +
-                     (error ? error.message() : last_error()) + "; check its permissions");
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  // The size of what was opened: the path may name another file by now.
+  const std::streamoff size = file ? static_cast<std::streamoff>(file.tellg()) : -1;
+  if (size >= 0 && static_cast<std::uintmax_t>(size) > limit)
+    throw InputError(name_of(path) + " has " + std::to_string(size) +
+                     " bytes; name a file of at most " + std::to_string(limit));
+  std::string bytes(size < 0 ? 0 : static_cast<std::size_t>(size), '\0');
+  file.seekg(0);
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!file)
+    throw InputError("cannot read " + name_of(path) + ": " + last_error("it ends early") +
+                     "; check its permissions");
   return bytes;
 }
 
@@ -107,7 +108,7 @@ void write_file_whole(const fs::path& path, std::string_view bytes) {
   std::ofstream file(temporary.path(), std::ios::binary | std::ios::trunc);
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   file.close();
-  if (!file) fail_to_write(path, last_error());
+  if (!file) fail_to_write(path, last_error("it could not be finished"));
   fs::rename(temporary.path(), target, error);
   if (error) fail_to_write(path, error.message());
 }

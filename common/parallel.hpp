@@ -6,6 +6,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -50,11 +51,16 @@ void for_each_tile(int width, int height, int threads, const Work& work, int til
     }
   };
 
-  std::vector<std::jthread> pool;
-  for (int i = 1; i < std::min(thread_count(threads), columns * rows); ++i)
-    pool.emplace_back(worker);
+  std::vector<std::thread> pool;
+  try {
+    for (int i = 1; i < std::min(thread_count(threads), columns * rows); ++i)
+      pool.emplace_back(worker);
+  } catch (const std::system_error&) {
+    // The machine gives no more threads: those that there are do the same work.
+  }
   worker();
-  pool.clear();  // joins
+  for (std::thread& thread : pool)
+    thread.join();
   if (error) std::rethrow_exception(error);
 }
 

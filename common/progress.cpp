@@ -51,9 +51,10 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Overwrites the line: spaces hide what an earlier, longer one left.
+// Overwrites the line: spaces hide what an earlier, longer one left. It must not reach the width
+// of a terminal, or it would wrap and stay.
 void redraw(std::string line, bool last) {
-  line.resize(std::max<std::size_t>(line.size(), 78), ' ');
+  line.resize(78, ' ');
   std::cerr << '\r' << line << (last ? "\n" : "") << std::flush;
 }
 

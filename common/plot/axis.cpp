@@ -1,9 +1,11 @@
 #include "common/plot/axis.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <iomanip>
 #include <limits>
+#include <locale>
+#include <sstream>
 
 namespace lt {
 
@@ -20,10 +22,10 @@ std::string integer(long long value) {
 
 // `value` with a fixed number of decimals and commas between thousands.
 std::string decimal(double value, int decimals) {
-  char digits[64];
-  const auto [end, error] = std::to_chars(digits, digits + sizeof digits, std::abs(value),
-                                          std::chars_format::fixed, decimals);
-  std::string text(digits, error == std::errc() ? end : digits);
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out << std::fixed << std::setprecision(decimals) << std::abs(value);
+  std::string text = out.str();
   std::size_t point = std::min(text.find('.'), text.size());
   for (; point > 3; point -= 3)
     text.insert(point - 3, ",");

@@ -1,11 +1,19 @@
 /// @file
-/// Catch2, whichever version is there, with GLM vectors printed as vectors.
+/// Catch2, whichever version is there, with GLM's vectors and quaternions printed as numbers.
+/// Matchers are left out: versions 2 and 3 name them differently.
 #pragma once
 
-#if __has_include(<catch2/catch_all.hpp>)
+#if __has_include(<catch2/catch_test_macros.hpp>)
+// Version 3. Its library may be compiled as C++14, without the body that prints a string_view.
+#ifndef CATCH_CONFIG_NO_CPP17_STRING_VIEW
+#define CATCH_CONFIG_NO_CPP17_STRING_VIEW
+#endif
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/catch_tostring.hpp>
+#include <catch2/catch_translate_exception.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/generators/catch_generators_range.hpp>
 #else
 #include <catch2/catch.hpp>
 #endif
@@ -28,6 +36,16 @@ struct StringMaker<glm::vec<N, T, Q>> {
     for (glm::length_t i = 0; i < N; ++i)
       text << (i ? ", " : "") << v[i];
     text << ')';
+    return text.str();
+  }
+};
+
+template <class T, glm::qualifier Q>
+struct StringMaker<glm::qua<T, Q>> {
+  static std::string convert(const glm::qua<T, Q>& q) {
+    std::ostringstream text;
+    text.precision(9);
+    text << "(w " << q.w << ", " << q.x << ", " << q.y << ", " << q.z << ')';
     return text.str();
   }
 };
