@@ -60,3 +60,11 @@ TEST_CASE("figures: a made picture without its command is found") {
   CHECK(check_figures(project.tree()) ==
         Findings{{text, 3, "no `./learn chapter 1 --view first` below its picture"}});
 }
+
+TEST_CASE("figures: an arrow that the drawing of the chain lacks is found") {
+  PlantedProject project;
+  plant_complete_project(project);
+  project.replace("chapters/figures/chain.svg", "ch01_dots-to-ch02_lines", "ch01_dots");
+  CHECK(check_figures(project.tree()) ==
+        Findings{{"chapters/figures/chain.svg", 0, "has no arrow ch01_dots-to-ch02_lines"}});
+}

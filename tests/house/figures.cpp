@@ -6,6 +6,7 @@
 
 #include "tests/house/chapters.hpp"
 #include "tests/house/descriptions.hpp"
+#include "tests/house/includes.hpp"
 #include "tests/house/markdown.hpp"
 
 namespace lt::house {
@@ -57,6 +58,18 @@ void check_files(const Tree& tree, const std::string& folder, const std::vector<
   }
 }
 
+// chapters/figures/chain.svg has a path for every arrow of the code's, named FROM-to-TO.
+void check_chain(const Tree& tree, Findings& findings) {
+  const std::string file = "chapters/figures/chain.svg";
+  const std::string drawing = tree.has_file(file) ? tree.text(file) : "";
+  for (const auto& [chapter, used] : read_direct_uses(tree)) {
+    for (const std::string& earlier : used) {
+      if (drawing.find("id=\"" + earlier + "-to-" + chapter + '"') != drawing.npos) continue;
+      findings.push_back({file, 0, "has no arrow " + earlier + "-to-" + chapter});
+    }
+  }
+}
+
 // The command belongs below its picture; of several in a row or a table, below them all.
 void check_captions(const Tree& tree, const std::string& chapter,
                     const std::vector<Picture>& pictures, Findings& findings) {
@@ -83,6 +96,8 @@ void check_captions(const Tree& tree, const std::string& chapter,
 Findings check_figures(const Tree& tree) {
   Findings findings;
   const std::set<std::string> shown = shown_pictures(tree);
+  check_chain(tree, findings);
+  check_files(tree, "chapters/figures/", {}, shown, findings);
   for (const std::string& chapter : chapters_of(tree)) {
     if (!tree.has_file("chapters/" + chapter + "/pictures.json")) continue;
     Findings told_elsewhere;  // by check_chapters

@@ -79,9 +79,11 @@ std::optional<std::string> wrong_in_exercise(const std::string& file, const std:
 
 std::optional<std::string> wrong_here(const std::string& file, const std::string& name,
                                       const Uses& uses) {
+  // The runner's tests have exercises of their own.
+  const bool is_exercise = file.starts_with("exercises/") || file.find("/exercises/") != file.npos;
+  if (is_exercise) return wrong_in_exercise(file, name);
   if (file.starts_with("common/")) return wrong_in_common(file, name);
   if (file.starts_with("chapters/")) return wrong_in_chapter(file, name, uses);
-  if (file.starts_with("exercises/")) return wrong_in_exercise(file, name);
   const bool is_runner = file.starts_with("runner/");
   if (is_runner && first_part(name) != "runner" && first_part(name) != "common") {
     return "the runner includes no chapter and no test";
@@ -128,19 +130,24 @@ void check_declarations(const Tree& tree, Findings& findings) {
 
 }  // namespace
 
-Uses read_uses(const Tree& tree) {
+Uses read_direct_uses(const Tree& tree) {
   Uses uses;
-  // Folder names sort by number, so what a chapter stands on is known before it.
   for (const std::string& chapter : declared_chapters(tree)) {
-    std::set<std::string>& own = uses[chapter];
-    own.insert(chapter);
     const std::vector<std::string> words = declaration(tree, chapter);
-    for (std::size_t i = 1; i < words.size(); ++i) {
-      own.insert(words[i]);
-      if (uses.contains(words[i])) own.insert(uses[words[i]].begin(), uses[words[i]].end());
-    }
+    if (!words.empty()) uses[chapter] = {words.begin() + 1, words.end()};
   }
   return uses;
+}
+
+Uses read_uses(const Tree& tree) {
+  Uses all;
+  // Names sort by number, so what a chapter stands on is known before it.
+  for (const auto& [chapter, direct] : read_direct_uses(tree)) {
+    all[chapter].insert(chapter);
+    for (const std::string& used : direct)
+      all[chapter].insert(all[used].begin(), all[used].end());
+  }
+  return all;
 }
 
 Findings check_includes(const Tree& tree) {

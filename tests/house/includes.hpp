@@ -11,10 +11,13 @@
 
 namespace lt::house {
 
-/// What each chapter may include: the chapters in its USES and theirs in turn, and itself.
+/// Chapters by name, each with others.
 using Uses = std::map<std::string, std::set<std::string>>;
 
-/// Read from `lt_chapter(NAME USES ...)` in each chapter's CMakeLists.txt.
+/// What `lt_chapter(NAME USES ...)` in each chapter's CMakeLists.txt says, without theirs in turn.
+[[nodiscard]] Uses read_direct_uses(const Tree& tree);
+
+/// The same with what those stand on, and the chapter itself.
 [[nodiscard]] Uses read_uses(const Tree& tree);
 
 /// - A chapter stands on earlier chapters only, and is declared under its folder's name.

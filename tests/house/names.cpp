@@ -8,7 +8,10 @@
 namespace lt::house {
 namespace {
 
-constexpr std::size_t most_lines = 200;
+// What is taught is read in one sitting; plumbing may be somewhat longer.
+std::size_t most_lines(const std::string& file) {
+  return file.starts_with("chapters/") ? 200 : 250;
+}
 
 // Where a rule applies, and the form that it asks for.
 struct Rule {
@@ -25,7 +28,7 @@ const std::vector<Rule>& rules() {
        "C++ files end in .hpp or .cpp"},
       {std::regex(R"((.*/)?[^/]+\.[hc]pp)"), std::regex(R"((.*/)?[a-z][a-z0-9_]*\.[hc]pp)"),
        "C++ files are snake_case"},
-      {std::regex(R"((chapters/[^/]+|common|runner)/tests/[^/]+\.cpp)"),
+      {std::regex(R"(((chapters/[^/]+|common|runner)/)?tests/[^/]+\.cpp)"),
        std::regex(R"(.*_test\.cpp)"), "tests end in _test.cpp"},
       {std::regex(R"((.*/)?figures/[^/]+)"),
        std::regex(R"((.*/)?[a-z0-9]+(-[a-z0-9]+)*\.(png|svg))"),
@@ -57,8 +60,10 @@ void check_lines(const std::string& file, const std::vector<std::string>& lines,
 }
 
 void check_cpp(const std::string& file, const std::vector<std::string>& lines, Findings& findings) {
-  if (lines.size() > most_lines) {
-    findings.push_back({file, 0, std::to_string(lines.size()) + " lines; a file has at most 200"});
+  if (lines.size() > most_lines(file)) {
+    findings.push_back({file, 0,
+                        std::to_string(lines.size()) + " lines; at most " +
+                            std::to_string(most_lines(file)) + " are read gladly"});
   }
   if (!file.ends_with(".hpp")) return;
   for (const std::string& line : lines) {

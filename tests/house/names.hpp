@@ -7,8 +7,9 @@
 
 namespace lt::house {
 
-/// - Chapters are ch01_lower_case, C++ files snake_case.hpp or .cpp and at most 200 lines long,
-///   tests end in _test.cpp, figures and exercises are lower-case-with-hyphens.
+/// - Chapters are ch01_lower_case, C++ files snake_case.hpp or .cpp, tests end in _test.cpp,
+///   figures and exercises are lower-case-with-hyphens.
+/// - A C++ file has at most 200 lines in a chapter, 250 elsewhere.
 /// - Headers start with `#pragma once` below their comment.
 /// - Text files end with a newline, have no tabs (Makefiles aside), no blanks at the ends of lines
 ///   and no carriage returns.

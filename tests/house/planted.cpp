@@ -88,7 +88,10 @@ void plant_complete_project(PlantedProject& project) {
                 "# Dots\n\n[One](chapters/ch01_dots/README.md), "
                 "[two](chapters/ch02_lines/README.md)\n");
   project.write("chapters/README.md",
-                "# Contents\n\n[One](ch01_dots/README.md), [two](ch02_lines/README.md)\n");
+                "# Contents\n\n[One](ch01_dots/README.md), [two](ch02_lines/README.md)\n\n"
+                "![One leads to two](figures/chain.svg)\n");
+  project.write("chapters/figures/chain.svg",
+                "<svg><path id=\"ch01_dots-to-ch02_lines\"/></svg>\n");
   project.write("common/files.hpp", "// Plumbing.\n#pragma once\n\n#include <string>\n");
   plant_chapter(project, "ch01_dots", 1, "", "count");
   plant_chapter(project, "ch02_lines", 2, " USES ch01_dots", "measure");
