@@ -24,8 +24,8 @@ ProcessOptions plain_english() {
 // only its label.
 class BuildLine {
  public:
-  explicit BuildLine(std::string label) : label_(std::move(label)) {
-    if (!stderr_is_terminal()) std::cerr << label_ << " ..." << std::endl;
+  BuildLine(std::string label, bool is_quiet) : label_(std::move(label)) {
+    if (!is_quiet && !stderr_is_terminal()) std::cerr << label_ << " ..." << std::endl;
   }
   ~BuildLine() {
     if (is_shown_) std::cerr << "\r\x1b[K" << std::flush;
@@ -67,12 +67,18 @@ void forget_if_moved(const fs::path& source, const fs::path& binary) {
   fs::remove_all(binary);
 }
 
-void run_or_fail(const std::vector<std::string>& command, ProcessOptions options,
-                 const std::string& label) {
-  BuildLine line(label);
+ProcessResult run_with_line(const std::vector<std::string>& command, ProcessOptions options,
+                            const std::string& label, bool is_quiet) {
+  BuildLine line(label, is_quiet);
   options.on_output = [&](std::string_view piece) { line.show(piece); };
-  const ProcessResult result = run_process(command, options);
-  if (result.exit_code == 127) throw BuildFailed("cmake is not there; see ./learn doctor");
+  ProcessResult result = run_process(command, options);
+  if (result.exit_code == 127) throw BuildFailed("cmake is not there; see ./learn doctor\n");
+  return result;
+}
+
+void run_or_fail(const std::vector<std::string>& command, const ProcessOptions& options,
+                 const std::string& label) {
+  const ProcessResult result = run_with_line(command, options, label, false);
   if (!result.succeeded()) throw BuildFailed(result.output);
 }
 
@@ -107,7 +113,11 @@ void configure_folder(const fs::path& source, const fs::path& binary,
                       const std::vector<std::string>& settings) {
   forget_if_moved(source, binary);
   const std::string wanted = join(settings, "\n") + "\n";
-  if (fs::exists(settings_file(binary)) && read_file(settings_file(binary)) == wanted) return;
+  const bool is_configured = fs::exists(binary / "build.ninja") || fs::exists(binary / "Makefile");
+  if (is_configured && fs::exists(settings_file(binary)) &&
+      read_file(settings_file(binary)) == wanted) {
+    return;
+  }
   std::vector<std::string> command{"cmake", "-S", source.string(), "-B", binary.string()};
   append(command, generator(binary));
   append(command, settings);
@@ -126,10 +136,11 @@ void build(const fs::path& binary, const std::vector<std::string>& targets,
   run_or_fail(command, plain_english(), label);
 }
 
-ProcessResult try_build(const fs::path& binary, const std::string& target) {
-  return run_process({"cmake", "--build", binary.string(), "--target", target, "--parallel",
-                      std::to_string(processor_count())},
-                     plain_english());
+ProcessResult try_build(const fs::path& binary, const std::string& target,
+                        const std::string& label) {
+  return run_with_line({"cmake", "--build", binary.string(), "--target", target, "--parallel",
+                        std::to_string(processor_count())},
+                       plain_english(), label, true);
 }
 
 fs::path built_program(const fs::path& folder, const std::string& name) {

@@ -33,9 +33,10 @@ void configure_folder(const std::filesystem::path& source, const std::filesystem
 void build(const std::filesystem::path& binary, const std::vector<std::string>& targets,
            const std::string& label);
 
-/// The same, silent, and without complaint: for a learner's file, which may well not compile.
+/// The same without complaint: for a learner's file, which may well not compile. Shows `label` on a
+/// terminal only.
 [[nodiscard]] ProcessResult try_build(const std::filesystem::path& binary,
-                                      const std::string& target);
+                                      const std::string& target, const std::string& label);
 
 /// A program that a build made: in `folder`, or in a folder per configuration (Visual Studio).
 [[nodiscard]] std::filesystem::path built_program(const std::filesystem::path& folder,
