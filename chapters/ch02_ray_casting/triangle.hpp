@@ -2,6 +2,7 @@
 /// The triangle.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "ch02_ray_casting/ray.hpp"
@@ -38,22 +39,31 @@ class Triangle {
 };
 // [triangle]
 
-/// How far outside, in barycentric weight, still counts as inside: neighbours overlap by a hair, so
-/// that no ray slips between two triangles that share an edge.
-inline constexpr float edge_tolerance = 1e-6f;
+// [edge-side]
+/// On which side of the edge from `a` to `b` a ray passes: 2 d . (b x a), with `a` and `b` seen
+/// from the ray's origin. Going the edge the other way gives exactly the negative, digit for digit.
+[[nodiscard]] inline float edge_side(vec3 a, vec3 b, vec3 direction) {
+  return dot(cross(b - a, b + a), direction);
+}
+// [edge-side]
 
 // [intersect-triangle]
 /// Distance to the triangle, from either side.
 /// @return t in (0, t_max), or nothing
 [[nodiscard]] inline std::optional<float> intersect(const Triangle& triangle, const Ray& ray,
                                                     float t_max) {
-  // Parallel rays divide by zero: t is infinite or NaN, and both comparisons below reject it.
-  const float t = dot(triangle.normal(), triangle.corner(0) - ray.origin) /
-                  dot(triangle.normal(), ray.direction);
+  // Parallel rays divide by zero: t is infinite or NaN, and the comparison rejects both.
+  const vec3 p0 = triangle.corner(0) - ray.origin;
+  const float t = dot(triangle.normal(), p0) / dot(triangle.normal(), ray.direction);
   if (!(t > 0.0f && t < t_max)) return std::nullopt;
 
-  const vec2 b = triangle.barycentrics(ray.at(t));
-  if (b.x < -edge_tolerance || b.y < -edge_tolerance || b.x + b.y > 1.0f + edge_tolerance)
+  // Inside means: past all three edges on the same side.
+  const vec3 p1 = triangle.corner(1) - ray.origin;
+  const vec3 p2 = triangle.corner(2) - ray.origin;
+  const float side01 = edge_side(p0, p1, ray.direction);
+  const float side12 = edge_side(p1, p2, ray.direction);
+  const float side20 = edge_side(p2, p0, ray.direction);
+  if (std::min({side01, side12, side20}) < 0.0f && std::max({side01, side12, side20}) > 0.0f)
     return std::nullopt;
   return t;
 }

@@ -1,0 +1,73 @@
+// The three-sphere room, seen but not yet lit.
+#include <cmath>
+#include <ctime>
+#include <iostream>
+
+#include "ch01_pixels/image_file.hpp"
+#include "ch02_ray_casting/cost.hpp"
+#include "ch02_ray_casting/views.hpp"
+#include "common/command_line.hpp"
+#include "common/files.hpp"
+
+namespace {
+
+struct Options {
+  lt::RenderOptions picture;
+  std::string view = "normals";
+  std::string camera = "far";
+  float field_of_view = 72.0f;
+  std::string plot = "none";
+  bool measure = false;
+};
+
+bool parse(Options& options, int argc, char** argv) {
+  lt::CommandLine line("ch02_ray_casting", "The three-sphere room, seen but not yet lit.");
+  line.add_choice("--view", options.view, lt::view_names(), "what the picture shows");
+  line.add_choice("--camera", options.camera, {"near", "far"}, "where you stand in the room");
+  line.add_float("--fov", options.field_of_view, 1, 170, "how wide you see, in degrees");
+  line.add_choice("--plot", options.plot, {"none", "cost"}, "draw a plot instead (SVG)");
+  line.add_flag("--measure", options.measure, "plot this machine's times, not the stored ones");
+  line.add_int("--threads", options.picture.threads, 0, 1024, "threads; 0: one for each processor");
+  lt::add_picture_options(line, options.picture);
+  return line.parse(argc, argv);
+}
+
+void write_plot(const Options& options, const std::filesystem::path& out) {
+  if (out.extension() != ".svg")
+    throw lt::InputError("--out: " + lt::printable(out.string()) + " is no plot; end it in .svg");
+  const lt::Costs costs = options.measure ? lt::measure_costs() : lt::stored_costs();
+  if (options.measure) std::cout << lt::table(costs);
+  lt::write_file_whole(out, lt::to_svg(lt::cost_plot(costs)));
+}
+
+void write_picture(const Options& options, const std::filesystem::path& out) {
+  lt::require_picture_path(out);  // before the work, not after it
+  const lt::Stage stage = lt::stage_for(options.view, options.camera, options.field_of_view);
+  const auto& [width, height, spp, seed, threads, ignored] = options.picture;
+
+  const std::clock_t start = std::clock();
+  const lt::Image image =
+      lt::draw(stage.scene, stage.camera, lt::view_named(options.view), width, height, threads);
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  lt::save_image(out, image);
+
+  std::cout << width << " x " << height << " pixels, "
+            << std::lround(1e9 * seconds / width / height) << " ns of processor time each\n";
+  if (options.view == "acne" || options.view == "leave")
+    std::cout << 100 * lt::share_of(image, lt::self_hit_color)
+              << " % of the points hit the surface that they are on\n";
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return lt::run_program("ch02_ray_casting", [&] {
+    Options options;
+    if (!parse(options, argc, argv)) return;
+    const bool is_plot = options.plot != "none";
+    std::filesystem::path out = options.picture.out;
+    if (out.empty()) out = is_plot ? options.plot + ".svg" : options.view + ".png";
+    is_plot ? write_plot(options, out) : write_picture(options, out);
+    std::cout << "wrote " << lt::printable(out.string()) << '\n';
+  });
+}
