@@ -16,7 +16,7 @@ namespace lt {
   plot.description =
       "The sRGB curve rises steeply in the dark and flattens: half the light of white has code "
       "188, "
-      "and 128 of 255 codes are spent on the darkest fifth. A straight line is drawn for "
+      "and half of the codes lie below 22 percent of it. A straight line is drawn for "
       "comparison.";
   Series curve{"sRGB", {}, {}};
   for (int i = 0; i <= 400; ++i) {
@@ -38,10 +38,10 @@ namespace lt {
   plot.log_y = true;
   plot.description =
       "On logarithmic axes. Codes at equal steps of light fall from 100 percent in the dark to 0.4 "
-      "percent at white. sRGB codes fall from 100 percent to 0.9 percent, and stay below the other "
-      "curve by a factor of up to 13 until they cross near a third of white. A level line marks "
-      "the 1 "
-      "percent that an eye can just see.";
+      "percent at white. sRGB codes fall from 100 percent to 0.9 percent: 13 times finer in the "
+      "deepest dark, as fine at a quarter of white, coarser above. A level line marks the 1 "
+      "percent "
+      "that an eye can just see.";
   Series equal{"codes at equal steps of light", {}, {}};
   Series srgb{"sRGB codes", {}, {}};
   for (int code = 1; code < 255; ++code) {
@@ -52,7 +52,7 @@ namespace lt {
     srgb.x.push_back(here);
     srgb.y.push_back(100.0 * (next - here) / here);
   }
-  plot.series = {equal, srgb, {"just visible", {0.0003, 1.0}, {1.0, 1.0}}};
+  plot.series = {srgb, equal, {"just visible: 1 %", {0.0003, 1.0}, {1.0, 1.0}}};
   return plot;
 }
 

@@ -71,15 +71,19 @@ inline constexpr int cell_side = 2;
 
 // [ramp]
 /// Patches of light in stops: each sends twice as much as the one before, from 1/256 to 16. Rows:
-/// grey, gold, and the same gold with a sixteenth of the light.
+/// grey, gold, and the same gold with a sixteenth of the light. A frame marks the light of
+/// white, 1.
 [[nodiscard]] inline Image ramp(int width, int height) {
   constexpr int first = -8;
-  constexpr int count = 13;
+  constexpr vec2 counts(13, 3);
   return paint(width, height, [=](vec2 film) {
-    const int stop = first + static_cast<int>(film.x * count / static_cast<float>(width));
-    const int row = static_cast<int>(3.0f * film.y / static_cast<float>(height));
+    const vec2 patches = film * counts / vec2(width, height);
+    const vec2 off = glm::abs(glm::fract(patches) - 0.5f);
+    const int row = static_cast<int>(patches.y);
+    const int stop = first + static_cast<int>(patches.x) - (row == 2 ? 4 : 0);
+    if (std::max(off.x, off.y) > 0.44f) return Rgb(stop == 0 ? 0.4f : 0.0f);
     const Rgb hue = row == 0 ? Rgb(1.0f) : Rgb(1.0f, 0.62f, 0.16f);
-    return std::exp2(static_cast<float>(row == 2 ? stop - 4 : stop)) * hue;
+    return std::exp2(static_cast<float>(stop)) * hue;
   });
 }
 // [ramp]
