@@ -176,9 +176,9 @@ inline constexpr std::array regions{Region{{36, 0}, {7, 10}, savanna},      // E
       }
 
       // Coasts: is there land a little beside this point? Landscapes: farther beside.
-      const vec2 fray(globe_fbm(uv, 48, 5, 400), globe_fbm(uv, 48, 5, 420));
+      const vec2 fray(globe_fbm(uv, 56, 5, 400), globe_fbm(uv, 56, 5, 420));
       const vec2 drift(globe_fbm(uv, 18, 6, 440), 0.6f * fray.y);
-      const float is_land = bilinear(land, uv + vec2(0.007f, 0.014f) * fray).x;
+      const float is_land = bilinear(land, uv + vec2(0.009f, 0.018f) * fray).x;
 
       const Rgb sea = world::sea_color(lon_lat.y + 20.0f * drift.x, around);
       const Rgb ground = world::land_color(lon_lat + 30.0f * drift) * (1.0f + 0.9f * fray.x);
