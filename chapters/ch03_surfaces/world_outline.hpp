@@ -25,7 +25,8 @@ struct Outline {
 /// The world. What comes later lies on top of what comes before.
 [[nodiscard]] inline std::vector<Outline> world_outlines() {
   constexpr bool land = true, lake = false;
-  // clang-format off: lines full of points are easier to scroll past than columns
+  // Lines full of points are easier to scroll past than columns.
+  // clang-format off
   return {
       {"Africa", land, {{-6, 35.8}, {-2, 35.1}, {0, 35.9}, {3, 36.9}, {7.5, 37}, {9.8, 37.3},
         {11, 37}, {10.6, 35.7}, {10.1, 34.2}, {11.2, 33.2}, {13.2, 32.9}, {15.3, 32.3}, {16, 31.3},
