@@ -11,10 +11,11 @@ namespace lt {
 /// The wall's plan. On 3 m: bricks of 375 x 125 mm with their joints, somewhat larger than life
 /// (215 x 65 mm), so that joints are still seen from across the room.
 namespace brick_wall {
-inline constexpr int courses = 24;       ///< rows; even, because every other one is shifted by half
+inline constexpr int courses = 24;       ///< rows
 inline constexpr int bricks = 8;         ///< in each course
 inline constexpr float joint = 0.13f;    ///< width of the mortar; unit here: height of a course
 inline constexpr float depth = 0.0025f;  ///< of the mortar behind the bricks' faces, in squares
+static_assert(courses % 2 == 0, "the last course must fit under the first one's shift");
 }  // namespace brick_wall
 // [brick-size]
 

@@ -1,0 +1,296 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ch03_surfaces/bricks.hpp"
+#include "ch03_surfaces/concrete.hpp"
+#include "ch03_surfaces/planks.hpp"
+#include "ch03_surfaces/tiles.hpp"
+#include "common/testkit/catch.hpp"
+#include "common/testkit/statistics.hpp"
+
+using namespace lt;
+
+namespace {
+
+struct NamedMaps {
+  std::string name;
+  TextureMaps maps;
+};
+
+const std::vector<NamedMaps>& all_patterns() {
+  static const std::vector<NamedMaps> patterns{{"bricks", bricks(256)},
+                                               {"concrete", concrete(256)},
+                                               {"tiles", tiles(256)},
+                                               {"planks", planks(256)}};
+  return patterns;
+}
+
+vec3 decoded(const TextureMaps& maps, int x, int y) {
+  return maps.normals.at(x, y) * 2.0f - 1.0f;
+}
+
+/// Root mean square difference of two neighboring columns (or rows, if `across` is false); the
+/// neighbor of the last is the first.
+double step(const Image& image, int i, bool across) {
+  const int n = image.width();
+  double sum = 0.0;
+  for (int k = 0; k < n; ++k) {
+    const vec3 a = across ? image.at(i, k) : image.at(k, i);
+    const vec3 b = across ? image.at((i + 1) % n, k) : image.at(k, (i + 1) % n);
+    sum += dot(a - b, a - b);
+  }
+  return std::sqrt(sum / n);
+}
+
+/// The pieces of the square, wrapped round, where `inside` holds: texels that touch side by side.
+int count_pieces(int size, const std::function<bool(vec2)>& inside) {
+  std::vector<bool> open(static_cast<std::size_t>(size) * size);
+  for (int i = 0; i < size * size; ++i)
+    open[i] = inside((vec2(i % size, i / size) + 0.5f) / static_cast<float>(size));
+
+  int pieces = 0;
+  for (int start = 0; start < size * size; ++start) {
+    if (!open[start]) continue;
+    ++pieces;
+    std::vector<int> to_visit{start};
+    open[start] = false;
+    while (!to_visit.empty()) {
+      const int x = to_visit.back() % size, y = to_visit.back() / size;
+      to_visit.pop_back();
+      for (const ivec2 d : {ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1)}) {
+        const int next = wrap(y + d.y, size) * size + wrap(x + d.x, size);
+        if (open[next]) to_visit.push_back(next);
+        open[next] = false;
+      }
+    }
+  }
+  return pieces;
+}
+
+}  // namespace
+
+TEST_CASE("relief: a flat height field has the flat normal map, exactly") {
+  HeightField heights(4);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x)
+      heights.at(x, y) = 0.7f;
+  const Image normals = normals_of(heights);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x)
+      CHECK(normals.at(x, y) == vec3(0.5f, 0.5f, 1.0f));
+}
+
+TEST_CASE("relief: what rises to the right leans left and what rises downward leans up") {
+  // Slope 3/4 along u, then along v: the 3-4-5 triangle.
+  HeightField right(8), down(8);
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) {
+      right.at(x, y) = 0.75f * static_cast<float>(x) / 8.0f;
+      down.at(x, y) = 0.75f * static_cast<float>(y) / 8.0f;
+    }
+  for (int i = 1; i < 7; ++i) {  // not at the edges, where the ramp starts again
+    CHECK(glm::distance(normal_at(right, i, 3), vec3(-0.6f, 0.0f, 0.8f)) < 1e-6f);
+    CHECK(glm::distance(normal_at(down, 3, i), vec3(0.0f, -0.6f, 0.8f)) < 1e-6f);
+  }
+}
+
+TEST_CASE("relief: waves have the analytic normal, across the edges too") {
+  // h = a sin(2 pi (u + 2 v)): slopes a 2 pi cos and twice that. Central differences shorten them
+  // by sin(d) / d, d the phase step of a texel: at most d^2 / 6 = 4e-4 for 2 * 2 pi / 256.
+  const int size = 256;
+  const float a = 0.1f;
+  HeightField heights(size);
+  const auto phase = [&](int x, int y) {
+    return 2.0f * pi * static_cast<float>(x + 2 * y) / static_cast<float>(size);
+  };
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x)
+      heights.at(x, y) = a * std::sin(phase(x, y));
+  const Image normals = normals_of(heights);
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) {
+      const float slope = a * 2.0f * pi * std::cos(phase(x, y));
+      const vec3 expected = normalize(vec3(-slope, -2.0f * slope, 1.0f));
+      REQUIRE(glm::distance(normals.at(x, y) * 2.0f - 1.0f, expected) < 6e-4f);
+    }
+}
+
+TEST_CASE("paint: asks once at the middle of each texel, u to the right and v down") {
+  const auto pattern = [](vec2 uv) { return PatternPoint{Rgb(uv, 2.0f), 0.0f}; };
+  const TextureMaps maps = paint(pattern, 4);
+  CHECK(maps.color.at(0, 0) == Rgb(0.125f, 0.125f, 1.0f));  // and 2 is no reflectance
+  CHECK(maps.color.at(3, 0) == Rgb(0.875f, 0.125f, 1.0f));
+  CHECK(maps.color.at(1, 2) == Rgb(0.375f, 0.625f, 1.0f));
+  CHECK(maps.normals.at(1, 2) == vec3(0.5f, 0.5f, 1.0f));
+}
+
+TEST_CASE("round_box: distances to sides and corners") {
+  const vec2 half(3.0f, 2.0f);
+  CHECK(round_box({0.0f, 0.0f}, half, 0.5f) == Approx(-2.0f));  // the nearest side
+  CHECK(round_box({5.0f, 1.0f}, half, 0.5f) == Approx(2.0f));
+  CHECK(round_box({-1.0f, -2.0f}, half, 0.5f) == Approx(0.0f).margin(1e-6));
+  // The corner's circle has its middle at (2.5, 1.5).
+  CHECK(round_box({2.5f + 3.0f, 1.5f + 4.0f}, half, 0.5f) == Approx(5.0f - 0.5f));
+}
+
+TEST_CASE("patterns: reflectances are between 0 and 1, light, and hardly ever cut off") {
+  for (const auto& [name, maps] : all_patterns()) {
+    INFO(name);
+    double sum = 0.0;
+    int cut_off = 0;
+    for (int y = 0; y < maps.color.height(); ++y)
+      for (int x = 0; x < maps.color.width(); ++x)
+        for (int c = 0; c < 3; ++c) {
+          const float value = maps.color.at(x, y)[c];
+          REQUIRE(value >= 0.0f);
+          REQUIRE(value <= 1.0f);
+          cut_off += value == 0.0f || value == 1.0f;
+          sum += value;
+        }
+    const double count = 3.0 * maps.color.width() * maps.color.height();
+    CHECK(cut_off < 0.002 * count);
+    // A tint multiplies them, so they must not be dark, nor white without room above.
+    CHECK(sum / count > 0.45);
+    CHECK(sum / count < 0.8);
+  }
+}
+
+TEST_CASE("patterns: normals are unit and point out of the wall") {
+  for (const auto& [name, maps] : all_patterns()) {
+    INFO(name);
+    for (int y = 0; y < maps.normals.height(); ++y)
+      for (int x = 0; x < maps.normals.width(); ++x) {
+        const vec3 n = decoded(maps, x, y);
+        REQUIRE(glm::length(n) == Approx(1.0f).margin(1e-5));
+        REQUIRE(n.z > 0.25f);  // steeper than 75 degrees would be no surface, but a mistake
+      }
+  }
+}
+
+TEST_CASE("patterns: opposite edges fit as well as neighbors inside") {
+  for (const auto& [name, maps] : all_patterns())
+    for (const Image* image : {&maps.color, &maps.normals})
+      for (const bool across : {true, false}) {
+        INFO(name << (image == &maps.color ? " color" : " normals")
+                  << (across ? " left-right" : " top-bottom"));
+        const int last = image->width() - 1;
+        double largest_inside = 0.0;
+        for (int i = 0; i < last; ++i)
+          largest_inside = std::max(largest_inside, step(*image, i, across));
+        CHECK(step(*image, last, across) <= largest_inside);
+      }
+}
+
+TEST_CASE("patterns: every size shows the same wall") {
+  // A texel of the small picture against the 4 x 4 that it covers in the large one, and against the
+  // 4 x 4 half a brick beside.
+  const TextureMaps small = bricks(128), large = bricks(512);
+  const auto distance = [&](int x, int y, int shift) {
+    float mean = 0.0f;
+    for (int k = 0; k < 16; ++k)
+      mean += large.color.at(wrap(4 * (x + shift) + k % 4, 512), 4 * y + k / 4).g / 16.0f;
+    return std::abs(small.color.at(x, y).g - mean);
+  };
+  RunningMean same, beside;
+  for (int y = 0; y < 128; ++y)
+    for (int x = 0; x < 128; ++x) {
+      same.add(distance(x, y, 0));
+      beside.add(distance(x, y, 128 / brick_wall::bricks / 2));
+    }
+  CHECK(same.mean() < 0.5 * beside.mean());
+}
+
+TEST_CASE("bricks: as many bricks as courses times bricks, in one net of mortar") {
+  using namespace brick_wall;
+  const auto is_brick = [](vec2 uv) { return bricks_at(uv).height > 0.5f * depth; };
+  CHECK(count_pieces(512, is_brick) == courses * brick_wall::bricks);
+  CHECK(count_pieces(512, std::not_fn(is_brick)) == 1);
+}
+
+TEST_CASE(
+    "bricks: mortar lies its depth behind the faces, and each joint is over a brick's middle") {
+  using namespace brick_wall;
+  RunningMean faces, bed_joints, head_joints, above_head_joints;
+  for (int course = 0; course < courses; ++course)
+    for (int brick = 0; brick < brick_wall::bricks; ++brick) {
+      const float shift = course % 2 == 0 ? 0.0f : 0.5f;
+      const auto height_at = [&](float along, float down) {
+        return bricks_at({(static_cast<float>(brick) + along - shift) / brick_wall::bricks,
+                          (static_cast<float>(course) + down) / courses})
+            .height;
+      };
+      faces.add(height_at(0.5f, 0.5f));
+      bed_joints.add(height_at(0.5f, 0.0f));
+      head_joints.add(height_at(0.0f, 0.5f));
+      above_head_joints.add(height_at(0.0f, -0.5f));
+    }
+  CHECK(faces.mean() - bed_joints.mean() == Approx(depth).epsilon(0.15));
+  CHECK(faces.mean() - head_joints.mean() == Approx(depth).epsilon(0.15));
+  CHECK(above_head_joints.mean() == Approx(faces.mean()).epsilon(0.15));
+}
+
+TEST_CASE("bricks: edges lean outward, so that light from the upper left makes bricks stand out") {
+  using namespace brick_wall;
+  const int size = 512;
+  const TextureMaps maps = lt::bricks(size);
+  const auto normal = [&](float u, float v) {
+    return decoded(maps, wrap(static_cast<int>(std::floor(u * size)), size),
+                   wrap(static_cast<int>(std::floor(v * size)), size));
+  };
+  vec3 left(0.0f), right(0.0f), top(0.0f), bottom(0.0f);
+  const float half_joint = 0.5f * joint / courses;  // an edge's distance from the joint's middle
+  for (int course = 0; course < courses; ++course)
+    for (int brick = 0; brick < brick_wall::bricks; ++brick) {
+      const float shift = course % 2 == 0 ? 0.0f : 0.5f;
+      const float u = (static_cast<float>(brick) - shift) / brick_wall::bricks;
+      const float v = static_cast<float>(course) / courses;
+      const float next_u = u + 1.0f / brick_wall::bricks, next_v = v + 1.0f / courses;
+      left += normal(u + half_joint, (v + next_v) / 2);
+      right += normal(next_u - half_joint, (v + next_v) / 2);
+      top += normal((u + next_u) / 2, v + half_joint);
+      bottom += normal((u + next_u) / 2, next_v - half_joint);
+    }
+  const float count = courses * brick_wall::bricks;
+  CHECK(left.x / count < -0.15f);
+  CHECK(right.x / count > 0.15f);
+  CHECK(top.y / count < -0.15f);
+  CHECK(bottom.y / count > 0.15f);
+}
+
+TEST_CASE("concrete: each panel has four tie holes, deeper than all else") {
+  using namespace concrete_wall;
+  for (int row = 0; row < panels.y; ++row)
+    for (int column = 0; column < panels.x; ++column)
+      for (const vec2 tie : {vec2(0.25f, 0.25f), vec2(0.75f, 0.25f), vec2(0.25f, 0.75f)}) {
+        const vec2 uv = (vec2(column, row) + tie) / vec2(panels);
+        const float beside = 2.0f * tie_radius;
+        CHECK(concrete_at(uv).height <
+              concrete_at(uv + vec2(beside, 0.0f)).height - 0.5f * tie_depth);
+        CHECK(concrete_at(uv).height <
+              concrete_at(uv - vec2(0.0f, beside)).height - 0.5f * tie_depth);
+        CHECK(concrete_at(uv).color.x < 0.7f * concrete_at(uv + vec2(beside, 0.0f)).color.x);
+      }
+}
+
+TEST_CASE("tiles: as many as planned, higher and lighter than the grout between them") {
+  using namespace tiled_floor;
+  const auto is_tile = [](vec2 uv) { return tiles_at(uv).color.x > 0.5f; };
+  CHECK(count_pieces(512, is_tile) == tiled_floor::tiles * tiled_floor::tiles);
+  CHECK(count_pieces(512, std::not_fn(is_tile)) == 1);
+  for (int i = 0; i < tiled_floor::tiles; ++i) {
+    const float middle = (static_cast<float>(i) + 0.5f) / tiled_floor::tiles;
+    const float joint = static_cast<float>(i) / tiled_floor::tiles;
+    CHECK(tiles_at({middle, 0.125f}).height > tiles_at({joint, 0.125f}).height + 0.5f * depth);
+    CHECK(tiles_at({0.125f, middle}).height > tiles_at({0.125f, joint}).height + 0.5f * depth);
+  }
+}
+
+TEST_CASE("planks: one board to a row, lying along u, in one net of gaps") {
+  using namespace plank_floor;
+  const auto is_board = [](vec2 uv) { return planks_at(uv).height > 0.5f * depth; };
+  CHECK(count_pieces(512, is_board) == rows * boards);
+  CHECK(count_pieces(512, std::not_fn(is_board)) == 1);
+}
