@@ -18,6 +18,7 @@
 
 #include "common/error.hpp"
 #include "common/files.hpp"
+#include "common/jpeg_check.hpp"
 
 namespace lt {
 
@@ -49,14 +50,6 @@ bool is_jpeg(std::string_view bytes) {
   return bytes.starts_with("\xff\xd8\xff");
 }
 
-// stb_image turns the missing rest of a JPEG into grey. A whole file has an end-of-image marker
-// after its last start of a scan; neither marker can occur inside compressed data.
-bool is_whole_jpeg(std::string_view bytes) {
-  const std::size_t end = bytes.rfind("\xff\xd9");
-  const std::size_t scan = bytes.rfind("\xff\xda");
-  return end != bytes.npos && scan != bytes.npos && end > scan;
-}
-
 // A big-endian 32-bit number of a PNG's header.
 std::uint32_t big_endian_32(std::string_view bytes, std::size_t at) {
   std::uint32_t value = 0;
@@ -70,8 +63,9 @@ void check_header(const fs::path& path, std::string_view bytes) {
   if (!is_png(bytes) && !is_jpeg(bytes)) fail(path, "is neither PNG nor JPEG; convert it to PNG");
   if (is_png(bytes) && bytes.size() >= 24)
     check_size(path, big_endian_32(bytes, 16), big_endian_32(bytes, 20));
-  if (is_jpeg(bytes) && !is_whole_jpeg(bytes))
-    fail(path, "is a JPEG that breaks off; fetch or export it again");
+  const bool has_png_end = bytes.rfind("IEND\xae\x42\x60\x82") != bytes.npos;
+  if (is_png(bytes) ? !has_png_end : !is_sound_jpeg(bytes))
+    fail(path, "is damaged or incomplete; fetch or export it again");
 }
 
 }  // namespace

@@ -14,16 +14,15 @@
 #include <catch2/catch_translate_exception.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/generators/catch_generators_range.hpp>
+using Catch::Approx;
 #else
-#include <catch2/catch.hpp>
+#include <catch2/catch.hpp>  // has Approx without a namespace
 #endif
 
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <sstream>
 #include <string>
-
-using Catch::Approx;
 
 namespace Catch {
 

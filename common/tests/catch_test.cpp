@@ -16,7 +16,7 @@ TEST_CASE("catch: what the course's tests use is there in both versions") {
   const auto even = GENERATE(range(2, 6, 2));
   INFO("value " << value);
   CAPTURE(even);
-  CHECK(Approx(value).margin(1e-3) == value + 5e-4);
+  CHECK(Approx(1.0 * value).margin(1e-3) == value + 5e-4);
   CHECK(std::string_view("printed") == "printed");
   CHECK(std::optional<int>(value) == value);
   CHECK(even % 2 == 0);
