@@ -2,7 +2,11 @@
 include(FetchContent)
 set(LT_GIT "https://github.com" CACHE STRING "where pinned sources are fetched from (a mirror, if offline)")
 
-set(LT_INSTALL_LINE "sudo apt install g++ cmake ninja-build libglm-dev catch2 libstb-dev libcli11-dev nlohmann-json3-dev")
+# The list of packages has one home, the table in ./learn: name, must or lib, package for apt ...
+file(STRINGS "${LT_ROOT}/learn" LT_PACKAGES REGEX "^[a-z0-9]+ +(must|lib) ")
+list(TRANSFORM LT_PACKAGES REPLACE "^[a-z0-9]+ +[a-z]+ +([^ ]+).*" "\\1")
+list(JOIN LT_PACKAGES " " LT_PACKAGES)
+set(LT_INSTALL_LINE "sudo apt-get install ${LT_PACKAGES}")
 
 # lt_fetch(NAME REPOSITORY COMMIT): downloads a library, or stops with the line that installs it.
 function(lt_fetch name repository commit)

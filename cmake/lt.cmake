@@ -48,7 +48,6 @@ if(LT_SANITIZE)
 endif()
 
 include(${LT_ROOT}/cmake/Dependencies.cmake)
-add_subdirectory(${LT_ROOT}/common ${CMAKE_BINARY_DIR}/common)
 
 # lt_catch_tests(TARGET LABEL name): registers each TEST_CASE of TARGET with CTest under a label.
 function(lt_catch_tests target)
@@ -61,6 +60,8 @@ function(lt_catch_tests target)
     PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT}
       FAIL_REGULAR_EXPRESSION "No tests? ran|No test cases matched")
 endfunction()
+
+add_subdirectory(${LT_ROOT}/common ${CMAKE_BINARY_DIR}/common)
 
 # lt_chapter(NAME USES chapter...)
 #   lt::NAME      the chapter's headers, with those of the chapters it stands on

@@ -1,6 +1,228 @@
+// The commands about the course itself: render, chapter, figures, snippets, test, site, doctor.
+#include <algorithm>
+#include <iostream>
+
+#include "common/error.hpp"
+#include "common/files.hpp"
+#include "runner/build.hpp"
 #include "runner/commands.hpp"
+#include "runner/contact_sheet.hpp"
+#include "runner/pictures.hpp"
+#include "runner/snippets.hpp"
+#include "runner/terminal.hpp"
+#include "runner/test_report.hpp"
+#include "runner/text.hpp"
+#include "runner/verdict.hpp"
+
 namespace lt {
-std::vector<Command> course_commands() {
-  return {};
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// The first line of a chapter's README without its "# ".
+std::string chapter_title(const Home& home, const std::string& chapter) {
+  const fs::path readme = home.root / "chapters" / chapter / "README.md";
+  if (!fs::exists(readme)) return chapter;
+  const std::vector<std::string> lines = split_lines(read_file(readme));
+  return !lines.empty() && lines[0].starts_with("# ") ? lines[0].substr(2) : chapter;
 }
+
+SheetPicture sheet_picture(const Home& home, const PictureJob& job) {
+  const std::string link = job.picture.chapter + "/" + job.picture.file;
+  const std::string bytes = read_file(job.out);
+  const PictureSize size = png_size(bytes);
+  std::string details = human_size(bytes.size());
+  if (size.width > 0) {
+    details = std::to_string(size.width) + " x " + std::to_string(size.height) + ", " + details;
+  }
+  return {chapter_title(home, job.picture.chapter),
+          link,
+          job.picture.title,
+          job.picture.caption,
+          picture_command(job.picture, job.size, "out/" + link),
+          details};
+}
+
+void build_programs(const Home& home) {
+  configure(home, "release");
+  build(home.build(), {"render_programs"}, "building the chapters' programs");
+}
+
+int render_command(const Home& home, Arguments& arguments) {
+  const bool is_quick = arguments.flag("--quick");
+  const bool is_built = arguments.flag("--built");  // CMake's target `render` has built them
+  arguments.nothing_more();
+  std::vector<PictureJob> jobs;
+  for (const Picture& picture : load_pictures(home, chapter_names(home))) {
+    jobs.push_back(
+        {picture, render_size(picture, is_quick), home.out / picture.chapter / picture.file});
+  }
+  if (!is_built) build_programs(home);
+  make_pictures(home, jobs, "rendering " + std::to_string(jobs.size()) + " pictures");
+
+  std::vector<SheetPicture> sheet;
+  for (const PictureJob& job : jobs)
+    sheet.push_back(sheet_picture(home, job));
+  const fs::path page = home.out / "index.html";
+  write_file_whole(page, contact_sheet(sheet));
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    std::cout << padded(shown_path(jobs[i].out), 56) << ink::dim(sheet[i].details) << '\n';
+  }
+  std::cout << shown_path(page) << "  (all of them on one page)" << std::endl;
+  return 0;
+}
+
+int chapter_command(const Home& home, Arguments& arguments) {
+  std::vector<std::string> words = arguments.all_left();
+  if (words.empty() || words[0].starts_with("-")) {
+    throw InputError("chapter takes a number first: ./learn chapter 2 --help");
+  }
+  const std::string chapter = find_chapter(home, words[0]);
+  configure(home, "release");
+  build(home.build(), {chapter}, "building " + chapter);
+  words[0] = built_program(home.build() / "chapters" / chapter, chapter).string();
+  const ProcessResult result = run_visibly(words);
+  if (result.signal != 0) {
+    throw OutputError(chapter + " crashed: " + signal_in_words(result.signal));
+  }
+  return result.exit_code;
+}
+
+int figures_command(const Home& home, Arguments& arguments) {
+  const std::string word = arguments.word_or_nothing();
+  const std::vector<std::string> chapters =
+      word.empty() ? chapter_names(home) : std::vector<std::string>{find_chapter(home, word)};
+  std::vector<PictureJob> jobs;
+  for (const Picture& picture : load_pictures(home, chapters)) {
+    if (!picture.is_stored) continue;
+    jobs.push_back({picture, picture.stored.value_or(PictureSize{}),
+                    home.root / "chapters" / picture.chapter / "figures" / picture.file});
+  }
+  if (jobs.empty()) {
+    std::cout << "No stored figures are listed there.\n";
+    return 0;
+  }
+  build_programs(home);
+  make_pictures(home, jobs, "making " + std::to_string(jobs.size()) + " figures");
+
+  constexpr std::uintmax_t largest = 200'000;
+  int too_large = 0;
+  for (const PictureJob& job : jobs) {
+    const std::uintmax_t size = fs::file_size(job.out);
+    std::cout << padded(shown_path(job.out), 60) << human_size(size);
+    if (size > largest) std::cout << ink::red("  more than 200 KB");
+    std::cout << '\n';
+    too_large += size > largest ? 1 : 0;
+  }
+  if (too_large > 0) throw OutputError("stored figures must not be larger than 200 KB");
+  return 0;
+}
+
+int snippets_command(const Home& home, Arguments& arguments) {
+  const bool is_check = arguments.flag("--check");
+  arguments.nothing_more();
+  int drifted = 0;
+  int broken = 0;
+  for (const std::string& chapter : chapter_names(home)) {
+    const fs::path readme = home.root / "chapters" / chapter / "README.md";
+    if (!fs::exists(readme)) continue;
+    const FreshText fresh = chapter_with_fresh_snippets(home, chapter);
+    for (const SnippetProblem& problem : fresh.drifted) {
+      ++drifted;
+      std::cout << shown_path(readme) << ":" << problem.line << ": " << problem.what
+                << (is_check ? " differs from the file; ./learn snippets rewrites it\n"
+                             : " rewritten\n");
+    }
+    for (const SnippetProblem& problem : fresh.broken) {
+      ++broken;
+      std::cout << shown_path(readme) << ":" << problem.line << ": " << problem.what << '\n';
+    }
+    if (!is_check && !fresh.drifted.empty()) write_file_whole(readme, fresh.text);
+  }
+  if (drifted == 0 && broken == 0) std::cout << "All snippets are as their files.\n";
+  return broken > 0 || (is_check && drifted > 0) ? 1 : 0;
+}
+
+int test_command(const Home& home, Arguments& arguments) {
+  const std::string preset = arguments.flag("--sanitize") ? "asan" : "release";
+  const std::vector<std::string> for_ctest = arguments.after_dashes();
+  arguments.nothing_more();
+  configure(home, preset);
+  build(home.build(preset), {}, "building everything");
+
+  const fs::path junit = home.build(preset) / "tests.xml";
+  fs::remove(junit);
+  std::vector<std::string> command{"ctest",
+                                   "--test-dir",
+                                   home.build(preset).string(),
+                                   "--output-on-failure",
+                                   "--no-tests=error",
+                                   "--output-junit",
+                                   junit.string(),
+                                   "-j",
+                                   std::to_string(processor_count())};
+  command.insert(command.end(), for_ctest.begin(), for_ctest.end());
+  const ProcessResult result = run_visibly(command);
+  if (!fs::exists(junit)) throw OutputError("ctest did not run: see above");
+
+  const TestReport report = read_test_report(read_file(junit));
+  for (const std::string& name : report.not_run)
+    std::cout << "not run: " << name << '\n';
+  for (const std::string& name : report.failed)
+    std::cout << "failed: " << name << '\n';
+  const bool is_unexplained = report.failures() == 0 && !result.succeeded();
+  std::cout << report.passed << " passed, " << report.failures() + (is_unexplained ? 1 : 0)
+            << " failed" << std::endl;
+  return result.succeeded() && report.failures() == 0 ? 0 : 1;
+}
+
+int site_command(const Home& home, Arguments& arguments) {
+  const bool wants_server = arguments.flag("--serve");
+  const int port = arguments.number("--port", 8000, 0, 65535);
+  arguments.nothing_more();
+  const fs::path pages = home.build("site") / "html";
+  ProcessOptions options;
+  options.folder = home.root;
+  const ProcessResult built = run_visibly({"sh", "docs/build.sh", pages.string()}, options);
+  if (!built.succeeded()) throw OutputError("the site was not built: see above");
+  if (!wants_server) return 0;
+  try {
+    return run_visibly({"python3", (home.root / "runner" / "serve.py").string(), pages.string(),
+                        std::to_string(port)})
+        .exit_code;
+  } catch (const Interrupted&) {
+    return 0;
+  }
+}
+
+int doctor_command(const Home& home, Arguments& arguments) {
+  arguments.nothing_more();
+  return run_visibly({"sh", (home.root / "learn").string(), "doctor"}).exit_code;
+}
+
+}  // namespace
+
+std::vector<Command> course_commands() {
+  const std::string course = "The course";
+  const std::string upkeep = "Upkeep";
+  return {
+      {"render", course, "[--quick]", "make every picture, and a page of them, in out/",
+       "--quick makes them small. out/index.html shows all with their commands.", render_command},
+      {"chapter", course, "N [OPTIONS]", "build and run the program of one chapter",
+       "Options go to the program: ./learn chapter 2 --help lists them.", chapter_command},
+      {"test", course, "[--sanitize] [-- CTEST]", "build everything and run every test",
+       "--sanitize: under the address and undefined-behaviour sanitizers. What follows -- goes to "
+       "ctest: ./learn test -- -L ch02_ray_casting",
+       test_command},
+      {"site", course, "[--serve] [--port N]", "build the site",
+       "--serve shows it at http://127.0.0.1:8000/ (--port another).", site_command},
+      {"doctor", course, "", "say what is missing and how to get it", "", doctor_command},
+      {"figures", upkeep, "[N]", "make the stored pictures of the texts anew",
+       "N is a chapter's number. Writes chapters/*/figures.", figures_command},
+      {"snippets", upkeep, "[--check]", "copy code from the files into the texts",
+       "--check only reports what differs; exit code 1 if something does.", snippets_command},
+  };
+}
+
 }  // namespace lt

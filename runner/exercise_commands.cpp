@@ -194,7 +194,7 @@ std::vector<Command> exercise_commands() {
       "ID is an exercise's number or name: 02.2 or sphere. Without it: the one "
       "that is open.";
   return {
-      {"", group, "", "open the current exercise, watch your file and say how it stands",
+      {"", group, "", "open the current exercise and watch your file",
        "Keys: n next, h hint, s solution, l list, r reset, q quit. Without a terminal the exercise "
        "is checked once.",
        learn_command},
@@ -207,14 +207,14 @@ std::vector<Command> exercise_commands() {
       {"hint", group, "[ID]", "show one hint more", id, hint_command},
       {"solution", group, "[ID] [--anyway]", "show the solution of a finished exercise",
        id + " --anyway shows it unfinished.", solution_command},
-      {"reset", group, "[ID]", "put the starter back; your file is saved first", id, reset_command},
+      {"reset", group, "[ID]", "put the starter back; your file is saved", id, reset_command},
       {"verify", group, "[--all] [--seeds N]", "check all your files anew",
        "With --solutions, --starters, --mutants, --fair or --all: judge the exercises themselves "
        "instead, the right answers with N seeds (200).",
        verify_command},
       {"judge", "", "FOLDER ANSWER PROGRAM [--seeds N]", "judge one program of an exercise", "",
        judge_command},
-      {"measure-edits", "", "[--count N]", "measure the time from an edit to its verdict",
+      {"measure-edits", "Upkeep", "[--count N]", "time the way from an edit to its verdict",
        "N scripted edits (20) in a folder of their own. Exit code 1 if 95 % take 2 s or more.",
        measure_edits_command},
   };

@@ -1,5 +1,7 @@
 #include "runner/help.hpp"
 
+#include <algorithm>
+
 #include "runner/terminal.hpp"
 #include "runner/text.hpp"
 
@@ -8,31 +10,38 @@ namespace lt {
 namespace {
 
 std::string usage(const Command& command) {
-  std::string text = "./learn";
-  if (!command.name.empty()) text += " " + command.name;
-  if (!command.usage.empty()) text += " " + command.usage;
-  return text;
+  const std::string name = command.name.empty() ? "(nothing)" : command.name;
+  return command.usage.empty() ? name : name + " " + command.usage;
+}
+
+std::vector<std::string> groups(const std::vector<Command>& commands) {
+  std::vector<std::string> names;
+  for (const Command& command : commands) {
+    const bool is_new = std::find(names.begin(), names.end(), command.group) == names.end();
+    if (is_new && !command.group.empty()) names.push_back(command.group);
+  }
+  return names;
 }
 
 }  // namespace
 
 std::string help_text(const std::vector<Command>& commands) {
-  std::string text = ink::bold("Tracing Light") + ": a course that builds a renderer.\n";
-  std::string group;
-  for (const Command& command : commands) {
-    if (command.group.empty()) continue;
-    if (command.group != group) {
-      group = command.group;
-      text += "\n" + ink::bold(group) + "\n";
+  std::string text = "usage: ./learn [COMMAND]\n";
+  for (const std::string& group : groups(commands)) {
+    text += "\n" + ink::bold(group) + "\n";
+    for (const Command& command : commands) {
+      if (command.group != group) continue;
+      text += "  " + ink::cyan(padded(usage(command), 28)) + "  " + command.summary + "\n";
     }
-    text += "  " + ink::cyan(padded(usage(command), 38)) + " " + command.summary + "\n";
   }
   return text + "\n./learn help COMMAND tells more of one of them.\n";
 }
 
 std::string help_text(const Command& command) {
   const int width = terminal_columns();
-  std::string text = ink::cyan(usage(command)) + "\n" + wrapped(command.summary, width, 2);
+  std::string text = "usage: ./learn";
+  if (!command.name.empty()) text += " " + usage(command);
+  text += "\n\n" + wrapped(command.summary, width, 2);
   if (!command.details.empty()) text += "\n" + wrapped(command.details, width, 2);
   return text;
 }

@@ -61,10 +61,10 @@ class Watch {
   }
 
   void check() {
-    build_failure_.clear();
-    std::cout << ink::dim("checking ...") << std::flush;
+    if (!verdict_) draw();  // the first build takes a moment: show what it is for
     try {
       verdict_ = lesson_.check(*exercise_);
+      build_failure_.clear();
     } catch (const BuildFailed& failure) {
       verdict_.reset();
       build_failure_ = failure.what();
