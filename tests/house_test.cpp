@@ -7,6 +7,7 @@
 #include "tests/house/includes.hpp"
 #include "tests/house/links.hpp"
 #include "tests/house/names.hpp"
+#include "tests/house/snippets.hpp"
 #include "tests/house/words.hpp"
 
 using namespace lt::house;
@@ -43,6 +44,10 @@ TEST_CASE("the house: every link leads somewhere") {
 
 TEST_CASE("the house: every figure is made, stored and shown") {
   check_empty(check_figures(project()));
+}
+
+TEST_CASE("the house: texts show the code that is compiled") {
+  check_empty(check_snippets(project()));
 }
 
 TEST_CASE("the house: names and shapes of files") {

@@ -39,6 +39,10 @@ TEST_CASE("names: a file that is too long to read gladly is found") {
   CHECK(findings_with("chapters/ch01_dots/main.cpp", std::string(201, '\n')) == 1);
   CHECK(findings_with("common/long.cpp", std::string(250, '\n')) == 0);
   CHECK(findings_with("common/long.cpp", std::string(251, '\n')) == 1);
+  const std::string table =
+      "// clang-format off\n" + std::string(99, '\n') + "// clang-format on\n";
+  CHECK(findings_with("common/long.cpp", table + std::string(249, '\n')) == 0);
+  CHECK(findings_with("common/long.cpp", table + std::string(250, '\n')) == 1);
 }
 
 TEST_CASE("names: a header without its guard is found") {

@@ -8,9 +8,23 @@
 namespace lt::house {
 namespace {
 
-// What is taught is read in one sitting; plumbing may be somewhat longer.
+// What is taught is read in one sitting; plumbing may be somewhat longer, and a list of tests more.
 std::size_t most_lines(const std::string& file) {
+  if (file.find("tests/") != std::string::npos) return 300;
   return file.starts_with("chapters/") ? 200 : 250;
+}
+
+// Tables that are laid out by hand, "clang-format off", are not read line by line: they do not
+// count.
+std::size_t counted_lines(const std::vector<std::string>& lines) {
+  std::size_t count = 0;
+  bool is_table = false;
+  for (const std::string& line : lines) {
+    if (line.ends_with("// clang-format off")) is_table = true;
+    if (line.ends_with("// clang-format on")) is_table = false;
+    count += is_table ? 0 : 1;
+  }
+  return count;
 }
 
 // Where a rule applies, and the form that it asks for.
@@ -60,9 +74,10 @@ void check_lines(const std::string& file, const std::vector<std::string>& lines,
 }
 
 void check_cpp(const std::string& file, const std::vector<std::string>& lines, Findings& findings) {
-  if (lines.size() > most_lines(file)) {
+  const std::size_t count = counted_lines(lines);
+  if (count > most_lines(file)) {
     findings.push_back({file, 0,
-                        std::to_string(lines.size()) + " lines; at most " +
+                        std::to_string(count) + " lines; at most " +
                             std::to_string(most_lines(file)) + " are read gladly"});
   }
   if (!file.ends_with(".hpp")) return;

@@ -9,7 +9,8 @@ namespace lt::house {
 
 /// - Chapters are ch01_lower_case, C++ files snake_case.hpp or .cpp, tests end in _test.cpp,
 ///   figures and exercises are lower-case-with-hyphens.
-/// - A C++ file has at most 200 lines in a chapter, 250 elsewhere.
+/// - A C++ file has at most 200 lines in a chapter, 250 elsewhere, 300 if it holds tests; tables
+///   laid out by hand do not count.
 /// - Headers start with `#pragma once` below their comment.
 /// - Text files end with a newline, have no tabs (Makefiles aside), no blanks at the ends of lines
 ///   and no carriage returns.
