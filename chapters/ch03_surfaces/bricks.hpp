@@ -12,7 +12,7 @@ namespace lt {
 /// (215 x 65 mm), so that joints are still seen from across the room.
 namespace brick_wall {
 inline constexpr int courses = 24;       ///< rows
-inline constexpr int bricks = 8;         ///< in each course
+inline constexpr int per_course = 8;     ///< bricks
 inline constexpr float joint = 0.13f;    ///< width of the mortar; unit here: height of a course
 inline constexpr float depth = 0.0025f;  ///< of the mortar behind the bricks' faces, in squares
 static_assert(courses % 2 == 0, "the last course must fit under the first one's shift");
@@ -28,10 +28,10 @@ inline PatternPoint bricks_at(vec2 uv) {
   const vec2 bent = uv + 0.006f * wander;
 
   // Which brick, and where on it, from its middle, in heights of a course.
-  const ivec2 grid(bricks, courses);
+  const ivec2 grid(per_course, courses);
   const bool odd = on_grid(bent, grid).cell.y % 2 == 1;
-  const GridPoint brick = on_grid(bent + vec2(odd ? 0.5f / bricks : 0.0f, 0.0f), grid);
-  const float aspect = static_cast<float>(courses) / bricks;
+  const GridPoint brick = on_grid(bent + vec2(odd ? 0.5f / per_course : 0.0f, 0.0f), grid);
+  const float aspect = static_cast<float>(courses) / per_course;
   const vec2 on_brick = (brick.within - 0.5f) * vec2(aspect, 1.0f);
 
   // 1 on the brick's face, 0 in the joint, round between.

@@ -10,7 +10,7 @@ namespace lt {
 // [tile-size]
 /// On 1 m: stoneware tiles of 25 x 25 cm with their grout.
 namespace tiled_floor {
-inline constexpr int tiles = 4;         ///< along each side
+inline constexpr int per_side = 4;      ///< tiles
 inline constexpr float grout = 0.022f;  ///< its width; unit here: a tile's side
 inline constexpr float bevel = 0.03f;   ///< width of a tile's round edge, the same unit
 inline constexpr float depth = 0.003f;  ///< of the grout under the tiles' faces, in squares
@@ -22,7 +22,7 @@ inline constexpr float depth = 0.003f;  ///< of the grout under the tiles' faces
 inline PatternPoint tiles_at(vec2 uv) {
   using namespace tiled_floor;
   // Which tile, and how far from its edge.
-  const GridPoint tile = on_grid(uv, ivec2(tiles));
+  const GridPoint tile = on_grid(uv, ivec2(per_side));
   const vec2 on_tile = tile.within - 0.5f;
   const float inside = -round_box(on_tile, vec2(1.0f - grout) / 2.0f, 0.03f);
   const float glazed = glm::smoothstep(-0.004f, 0.004f, inside);

@@ -198,7 +198,7 @@ TEST_CASE("patterns: every size shows the same wall") {
   for (int y = 0; y < 128; ++y)
     for (int x = 0; x < 128; ++x) {
       same.add(distance(x, y, 0));
-      beside.add(distance(x, y, 128 / brick_wall::bricks / 2));
+      beside.add(distance(x, y, 128 / brick_wall::per_course / 2));
     }
   CHECK(same.mean() < 0.5 * beside.mean());
 }
@@ -206,7 +206,7 @@ TEST_CASE("patterns: every size shows the same wall") {
 TEST_CASE("bricks: as many bricks as courses times bricks, in one net of mortar") {
   using namespace brick_wall;
   const auto is_brick = [](vec2 uv) { return bricks_at(uv).height > 0.5f * depth; };
-  CHECK(count_pieces(512, is_brick) == courses * brick_wall::bricks);
+  CHECK(count_pieces(512, is_brick) == courses * per_course);
   CHECK(count_pieces(512, std::not_fn(is_brick)) == 1);
 }
 
@@ -215,10 +215,10 @@ TEST_CASE(
   using namespace brick_wall;
   RunningMean faces, bed_joints, head_joints, above_head_joints;
   for (int course = 0; course < courses; ++course)
-    for (int brick = 0; brick < brick_wall::bricks; ++brick) {
+    for (int brick = 0; brick < per_course; ++brick) {
       const float shift = course % 2 == 0 ? 0.0f : 0.5f;
       const auto height_at = [&](float along, float down) {
-        return bricks_at({(static_cast<float>(brick) + along - shift) / brick_wall::bricks,
+        return bricks_at({(static_cast<float>(brick) + along - shift) / per_course,
                           (static_cast<float>(course) + down) / courses})
             .height;
       };
@@ -243,17 +243,17 @@ TEST_CASE("bricks: edges lean outward, so that light from the upper left makes b
   vec3 left(0.0f), right(0.0f), top(0.0f), bottom(0.0f);
   const float half_joint = 0.5f * joint / courses;  // an edge's distance from the joint's middle
   for (int course = 0; course < courses; ++course)
-    for (int brick = 0; brick < brick_wall::bricks; ++brick) {
+    for (int brick = 0; brick < per_course; ++brick) {
       const float shift = course % 2 == 0 ? 0.0f : 0.5f;
-      const float u = (static_cast<float>(brick) - shift) / brick_wall::bricks;
+      const float u = (static_cast<float>(brick) - shift) / per_course;
       const float v = static_cast<float>(course) / courses;
-      const float next_u = u + 1.0f / brick_wall::bricks, next_v = v + 1.0f / courses;
+      const float next_u = u + 1.0f / per_course, next_v = v + 1.0f / courses;
       left += normal(u + half_joint, (v + next_v) / 2);
       right += normal(next_u - half_joint, (v + next_v) / 2);
       top += normal((u + next_u) / 2, v + half_joint);
       bottom += normal((u + next_u) / 2, next_v - half_joint);
     }
-  const float count = courses * brick_wall::bricks;
+  const float count = courses * per_course;
   CHECK(left.x / count < -0.15f);
   CHECK(right.x / count > 0.15f);
   CHECK(top.y / count < -0.15f);
@@ -278,11 +278,11 @@ TEST_CASE("concrete: each panel has four tie holes, deeper than all else") {
 TEST_CASE("tiles: as many as planned, higher and lighter than the grout between them") {
   using namespace tiled_floor;
   const auto is_tile = [](vec2 uv) { return tiles_at(uv).color.x > 0.5f; };
-  CHECK(count_pieces(512, is_tile) == tiled_floor::tiles * tiled_floor::tiles);
+  CHECK(count_pieces(512, is_tile) == per_side * per_side);
   CHECK(count_pieces(512, std::not_fn(is_tile)) == 1);
-  for (int i = 0; i < tiled_floor::tiles; ++i) {
-    const float middle = (static_cast<float>(i) + 0.5f) / tiled_floor::tiles;
-    const float joint = static_cast<float>(i) / tiled_floor::tiles;
+  for (int i = 0; i < per_side; ++i) {
+    const float middle = (static_cast<float>(i) + 0.5f) / per_side;
+    const float joint = static_cast<float>(i) / per_side;
     CHECK(tiles_at({middle, 0.125f}).height > tiles_at({joint, 0.125f}).height + 0.5f * depth);
     CHECK(tiles_at({0.125f, middle}).height > tiles_at({0.125f, joint}).height + 0.5f * depth);
   }
