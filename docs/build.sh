@@ -1,6 +1,6 @@
 #!/bin/sh
 # Builds the site of the course: sh docs/build.sh [OUTDIR]   (default build/site/html)
-# Needs doxygen, doxygen-awesome-css, python3, node and npm. Any warning, broken link or missing
+# Needs doxygen, python3, node and npm. Any warning, broken link or missing
 # picture fails the build, and the site that was there before stays.
 set -eu
 cd "$(dirname "$0")/.."
@@ -13,9 +13,9 @@ export WORK PYTHON PYTHONDONTWRITEBYTECODE=1
 rm -rf "$WORK"
 mkdir -p "$WORK/doxygen"
 
-if [ ! -e docs/node_modules/.package-lock.json ] ||
-   [ docs/package-lock.json -nt docs/node_modules/.package-lock.json ]; then
-  npm ci --prefix docs --no-audit --no-fund
+if ! cmp -s docs/package-lock.json docs/node_modules/.installed; then
+  npm ci --prefix docs
+  cp docs/package-lock.json docs/node_modules/.installed
 fi
 
 "$PYTHON" docs/tools/prepare.py "$WORK"
@@ -30,6 +30,7 @@ if ! doxygen docs/Doxyfile || [ -s "$WORK/doxygen.log" ]; then
   cat "$WORK/doxygen.log" >&2
   exit 1
 fi
+"$PYTHON" docs/tools/describe.py "$WORK"
 node docs/tools/typeset.mjs "$WORK/fragments.json" "$WORK/typeset.json"
 "$PYTHON" docs/tools/finish.py "$WORK" "$WORK/html"
 "$PYTHON" docs/check_site.py "$WORK/html"

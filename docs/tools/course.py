@@ -4,8 +4,6 @@ import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from header_filter import file_brief, group_name
-
 ROOT = Path(__file__).resolve().parents[2]
 
 # The course as planned; a chapter becomes a page when its README.md is there.
@@ -108,16 +106,24 @@ def headers():
     return [h for h in found if h != "common/testkit/catch.hpp"]
 
 
+def page_name(prefix, path):
+    return prefix + re.sub(r"\W+", "_", path.removeprefix("chapters/"))
+
+
 def header_page(header):
-    return "api_" + group_name(header)
+    return page_name("api_", header.removesuffix(".hpp"))
 
 
 def header_brief(header):
-    return file_brief(read(header))
+    """What the `/// @file` block at the top of a header says it is for."""
+    block = re.match(r"/// @file\n((?:///.*\n)*)", read(header))
+    if not block or not block[1].strip("/ \n"):
+        raise SiteError(f"{header}: no '/// @file' block at the top that says what it is for")
+    return " ".join(line.removeprefix("///").strip() for line in block[1].splitlines()).strip()
 
 
 def source_page(path):
-    return "source_" + re.sub(r"\W+", "_", path.removeprefix("chapters/"))
+    return page_name("source_", path)
 
 
 def exercise_page(exercise):

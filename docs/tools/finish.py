@@ -18,7 +18,6 @@ from reference import Reference, region_lines, split_lines, with_links
 
 DOCS = ROOT / "docs"
 MODULES = DOCS / "node_modules"
-AWESOME = Path("/usr/share/doxygen-awesome-css/doxygen-awesome.css")
 
 FONTS = [("source-serif-4", "Source Serif 4 Variable", "opsz"), ("inter", "Inter Variable", "wght"),
          ("source-code-pro", "Source Code Pro Variable", "wght")]
@@ -76,15 +75,18 @@ class Fragments:
         file = item["file"]
         if not file:
             return lines
-        if item.get("tag"):
+        if "numbers" in item:
+            numbers, indents = item["numbers"], item["indents"]
+        elif item.get("tag"):
             numbers, indent = region_lines(course.read(file), item["tag"])
+            indents = [indent] * len(numbers)
         else:
-            numbers, indent = list(range(1, len(lines) + 1)), 0
+            numbers, indents = list(range(1, len(lines) + 1)), [0] * len(lines)
         if len(numbers) != len(lines):
             return lines
         known = self.reference.links_of(file)
         out = []
-        for number, line in zip(numbers, lines):
+        for number, line, indent in zip(numbers, lines, indents):
             links = [(s - indent, e - indent, a) for s, e, a in known.get(number, [])]
             out.append(with_links(line, links) if known else self.linked_by_name(line, file))
         return out
@@ -160,7 +162,7 @@ class Site:
         data = json.loads((work / "site.json").read_text(encoding="utf-8"))
         self.pages = {p["name"]: p for p in data["pages"]}
         self.assets = data["assets"]
-        self.reference = Reference(work / "doxygen/html", work / "doxygen/tags.xml")
+        self.reference = Reference(work / "doxygen/xml")
         self.fragments = Fragments(work, self.reference)
         for page in self.pages.values():
             page["title"] = self.fragments.fill(page["title"], page)
@@ -168,12 +170,6 @@ class Site:
                                 for level, anchor, text in page["headings"]]
         self.template = Template((DOCS / "theme/page.html").read_text(encoding="utf-8"))
         self.search = []
-        for header in course.headers():
-            name = course.header_page(header)
-            title = header.removeprefix("chapters/")
-            self.pages[name] = {"name": name, "kind": "api", "source": header, "title": title,
-                                "headings": [], "chapter": title.split("/")[0]}
-
     # -- reading Doxygen's pages ----------------------------------------------------------------
 
     def doxygen_body(self, file):
@@ -222,47 +218,15 @@ class Site:
         return re.sub(r'<table class="markdownTable">(.*?)</table>', table, text, flags=re.S)
 
     def api_body(self, page):
-        header = page["source"]
-        file = next(f for f, n in self.reference.names.items()
-                    if n == page["name"] + ".html" and f.startswith("group__"))
-        text = self.doxygen_body(file)
-        # What the reader of one header does not need.
-        text = re.sub(r'<table class="memberdecls">\s*<tr class="heading"><td colspan="2"><h2 '
-                      r'class="groupheader"><a id="(?:namespaces|files)".*?</table>', "", text,
-                      flags=re.S)
-        text = re.sub(r'<a name="details" id="details"></a><h2 class="groupheader">Detailed '
-                      r"Description</h2>\s*", "", text)
-        text = re.sub(r' ?<a href="[^"]*">More\.\.\.</a>', "", text)
-        text = re.sub(r'<tr class="separator:.*?</tr>', "", text, flags=re.S)
-        text = re.sub(r'<p class="(?:reference|definition)">Referenced by.*?</p>', "", text, flags=re.S)
-        text = re.sub(r'<p class="definition">Definition at line <a class="el" href="([^"]+)">(\d+)</a>'
-                      r".*?</p>", r'<p class="definition"><a href="\1">Source, line \2</a></p>', text,
-                      flags=re.S)
-        text = re.sub(r'<span class="permalink"><a href="(#[^"]+)">.*?</a></span>(.*?)</h2>',
-                      r'\2<a class="anchor" href="\1" aria-label="Link to this entry">#</a></h2>', text)
-        text = re.sub(r'<h2 class="memtitle">(.*?)</h2>', r'<h3 class="memtitle">\1</h3>', text,
-                      flags=re.S)
-        text = re.sub(r"<h4([^>]*)>(.*?)</h4>", r"<h4\1>\2</h4>", text, flags=re.S)
-        text = re.sub(r'\s(?:align|valign|border|cellspacing|cellpadding)="[^"]*"', "", text)
-        text = re.sub(r'<a (id="[^"]*") name="[^"]*"></a>', r"<a \1></a>", text)
-
-        def link(match):
-            address = self.reference.address(match[2])
-            return f'<a{match[1]}href="{address}"{match[3]}>{match[4]}</a>' if address else match[4]
-        text = re.sub(r'<a([^>]*?)href="([^"#]*\.html[^"]*)"([^>]*)>(.*?)</a>', link, text, flags=re.S)
-        text = re.sub(r"\b([a-z_]\w+)\(\)(?![^<]*</(?:a|h3|td)>)",
-                      lambda m: self.named_link(m, header), text)
-        folder = page["chapter"]
-        where = (f'<a href="{folder}.html">Chapter {html.escape(self.pages[folder]["title"])}</a>'
-                 if folder in self.pages else "Plumbing" if folder == "common" else folder)
+        header, folder = page["source"], page["chapter"]
+        where = "Plumbing"
+        if folder in self.pages:
+            where = f'<a href="{folder}.html">Chapter {self.pages[folder]["title"]}</a>'
+        elif folder != "common":
+            where = f"Chapter {course.planned_title(folder)}"
         lead = (f'<p class="meta">{where} \u2013 <a href="{course.source_page(header)}.html">'
-                f"source</a></p><p>{html.escape(course.header_brief(header))}</p>"
-                f'<div class="code"><pre><code>#include "{page["title"]}"</code></pre></div>')
-        return f'<div class="api">{lead}{text}</div>'
-
-    def named_link(self, match, header):
-        address = self.reference.symbol(match[1], near=header)
-        return f'<a href="{address}">{match[0]}</a>' if address else match[0]
+                f"source</a></p><p>{page['brief']}</p>")
+        return f'<div class="api">{lead}{page["body"]}</div>'
 
     # -- around the text ------------------------------------------------------------------------
 
@@ -339,12 +303,11 @@ class Site:
         title = plain_text(page["title"])
         if page["kind"] == "api":
             self.search.append([f"{page['name']}.html", title, title, ""])
-            for match in re.finditer(r'<a id="([^"]+)"></a>\s*(?:<h3 class="memtitle">|<h2 '
-                                     r'class="groupheader">)(.*?)</h[23]>(.*?)(?=<a id="|\Z)',
+            for match in re.finditer(r'<h[23] id="([^"]+)">(.*?)</h[23]>(.*?)(?=<h[23] id="|\Z)',
                                      body, re.S):
-                text = plain_text(match[3])[:300]
+                text = re.sub(r'<div class="code">.*?</div>', "", match[3], flags=re.S)
                 self.search.append([f"{page['name']}.html#{match[1]}", title,
-                                    plain_text(match[2]), text])
+                                    plain_text(match[2]), plain_text(text)[:300]])
             return
         parts = re.split(r'<h[23] id="([^"]+)">(.*?)</h[23]>', body, flags=re.S)
         self.search.append([f"{page['name']}.html", title, title, plain_text(parts[0])])
@@ -354,18 +317,19 @@ class Site:
 
     def write_page(self, page):
         api = page["kind"] == "api"
-        body = self.api_body(page) if api else self.written_body(page)
-        page_title = html.escape(page["title"]) if api else page["title"]
+        body = self.fragments.fill(self.api_body(page), page) if api else self.written_body(page)
+        page_title = page["title"]
+        if page["kind"] in ("api", "source"):
+            page_title = re.sub(r"([/_])", r"\1<wbr>", page_title)
         body = self.hinted(body)
         self.index_page(page, body)
-        name = plain_text(page_title)
+        name = plain_text(page["title"])
         start = page["kind"] == "start"
         values = {
             "title": "Tracing Light" if start else f"{html.escape(name)} \u2013 Tracing Light",
             "description": self.description(body),
             "heading": self.chapter_heading(page, page_title),
             "kind": page["kind"],
-            "api_style": '<link rel="stylesheet" href="style/api.css">' if api else "",
             "slider": ('<link rel="stylesheet" href="style/slider.css">'
                        '<script src="script/slider.js" defer></script>')
                       if "<img-comparison-slider" in body else "",
@@ -400,13 +364,6 @@ class Site:
                 shutil.copyfile(ROOT / path, self.out / target)
         css = "".join(self.font_faces()) + (DOCS / "theme/book.css").read_text(encoding="utf-8")
         (self.out / "style/book.css").write_text(css, encoding="utf-8")
-        if not AWESOME.exists():
-            raise SiteError(f"{AWESOME} is missing (Debian package doxygen-awesome-css)")
-        shutil.copyfile(AWESOME, self.out / "style/doxygen-awesome.css")
-        doxygen_css = (self.work / "doxygen/html/doxygen.css").read_text(encoding="utf-8")
-        doxygen_css = re.sub(r"url\((?!['\"]?data:)[^)]*\)", "none", doxygen_css)
-        (self.out / "style/doxygen.css").write_text(doxygen_css, encoding="utf-8")
-        shutil.copyfile(DOCS / "theme/api.css", self.out / "style/api.css")
         shutil.copyfile(MODULES / "img-comparison-slider/dist/styles.css", self.out / "style/slider.css")
         slider = (MODULES / "img-comparison-slider/dist/index.js").read_text(encoding="utf-8")
         (self.out / "script/slider.js").write_text(
