@@ -34,9 +34,11 @@ struct Exhibit {
 // [room-with-globe]
 /// The textured room. The clear sphere reflects nothing diffusely: under a headlight it would be a
 /// black ball. Until glass is taught, a globe hangs in its place.
-/// @param world  equirectangular map; null leaves the black ball
-[[nodiscard]] inline Exhibit room_exhibit(const Camera& camera, Texture world, float eastward) {
-  Exhibit room{three_sphere_room_textured(), camera, {1.9f, 5.2f}};
+/// @param texels  side of the walls' textures
+/// @param world   equirectangular map; null leaves the black ball
+[[nodiscard]] inline Exhibit room_exhibit(const Camera& camera, int texels, Texture world,
+                                          float eastward) {
+  Exhibit room{three_sphere_room_textured(texels), camera, {1.9f, 5.2f}};
   if (world) {
     room.scene.looks[room::clear_sphere] = {Material{.tint = Rgb(0.9f)}, std::move(world), {}};
     room.scene.sphere_mappings[room::clear_sphere].rotation = globe_rotation(eastward);
@@ -84,7 +86,8 @@ struct Exhibit {
   return ball_row(look, balls, aspect);
 }
 
-/// Tiled balls: from the front; from behind, where 7.5 tiles meet; from above.
+/// Brick balls: from the front; from behind, where the texture's ends meet and do not fit; from
+/// above.
 [[nodiscard]] inline Exhibit seam_and_pole(float aspect) {
   Look look;
   wear(look, std::make_shared<const TextureMaps>(bricks(512)));

@@ -27,6 +27,7 @@ bool parse(Options& options, int argc, char** argv) {
   line.add_choice("--texture-on", show.texture_on, {"globe", "wall"}, "where to put it");
   line.add_float("--rotate", show.rotate, -36000, 36000, "turn the globe eastwards, degrees");
   line.add_flag("--wrong", show.wrong, "make the mistake that the text shows");
+  line.add_int("--texels", show.texels, 16, 4096, "side of the walls' textures");
   line.add_int("--grid", show.grid, 1, 16, "points along each side of a pixel");
   lt::add_picture_options(line, options.picture);
   return line.parse(argc, argv);

@@ -53,7 +53,7 @@ namespace lt {
 /// The room with materials and textures: bricks in the north, concrete at the sides and above,
 /// tiles on the floor.
 /// @param texels  side of each texture, >= 1
-[[nodiscard]] inline TexturedScene three_sphere_room_textured(int texels = 1024) {
+[[nodiscard]] inline TexturedScene three_sphere_room_textured(int texels = 512) {
   TexturedScene scene = three_sphere_room_plain();
   const auto cover = [&](std::uint32_t wall, const std::shared_ptr<const TextureMaps>& maps) {
     wear(scene.looks[wall], maps);

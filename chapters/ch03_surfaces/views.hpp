@@ -25,6 +25,7 @@ struct SurfaceViewOptions {
   std::filesystem::path texture;     ///< a picture file; empty: the world map
   float rotate = 0.0f;               ///< the globe, eastwards, degrees
   bool wrong = false;                ///< with the mistake that the text shows
+  int texels = 512;                  ///< side of the walls' textures
   int grid = 3;                      ///< grid x grid points in each pixel
   int width = 900;                   ///< pixels
   int height = 720;                  ///< pixels
@@ -44,11 +45,12 @@ struct SurfaceViewOptions {
 
   const Texture picture = options.texture.empty() ? Texture() : load_color(options.texture);
   const bool on_globe = picture && options.texture_on == "globe";
-  const Texture world = on_globe ? picture : std::make_shared<const Image>(world_map(2048));
+  const Texture world =
+      on_globe ? picture : std::make_shared<const Image>(world_map(is_room(options) ? 1024 : 2048));
   if (!is_room(options)) return globes(options.view == "spin" ? 5 : 1, world, eastward, aspect);
 
   Exhibit room = room_exhibit(options.camera == "far" ? room_camera_far() : room_camera_near(),
-                              world, eastward);
+                              options.texels, world, eastward);
   if (picture && !on_globe)
     for (std::uint32_t half = room::north_wall; half < room::west_wall; ++half)
       room.scene.looks[half] = {Material{}, picture, {}};
