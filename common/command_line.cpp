@@ -1,10 +1,12 @@
 #include "common/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <iostream>
 #include <locale>
+#include <numeric>
 #include <sstream>
 
 #include "common/error.hpp"
@@ -45,6 +47,21 @@ std::string number(float value) {
   return text.str();
 }
 
+// Letters to insert, remove or replace to turn a into b (Levenshtein 1965), row by row.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
 }  // namespace
 
 struct CommandLine::Impl {
@@ -73,11 +90,29 @@ struct CommandLine::Impl {
     for (const ValueOption& option : options)
       if (complaint.starts_with(option.name + ":"))
         return option.name + " takes " + option.takes + "; no value is given";
-    return complaint + "; --help lists the options";
+    for (const std::string& flag : flags)
+      if (complaint.starts_with(flag.substr(2) + " ")) return flag + " takes no value";
+    const std::vector<std::string> unknown = app.remaining();
+    if (unknown.empty()) return complaint + "; --help lists the options";
+    return "\"" + printable(unknown.front()) + "\" is no option; " + suggestion(unknown.front());
+  }
+
+  [[nodiscard]] std::string suggestion(const std::string& mistyped) const {
+    std::string nearest;
+    std::size_t least = 3;  // more edits than that are no slip of the finger
+    for (const CLI::Option* option : app.get_options()) {
+      const std::string name = option->get_name();
+      const std::size_t edits = edit_distance(mistyped.substr(0, mistyped.find('=')), name);
+      if (edits >= least) continue;
+      least = edits;
+      nearest = name;
+    }
+    return (nearest.empty() ? "" : "did you mean " + nearest + "? ") + "--help lists them all";
   }
 
   CLI::App app;
   std::vector<ValueOption> options;
+  std::vector<std::string> flags;
 };
 
 CommandLine::CommandLine(std::string program, std::string description)
@@ -118,7 +153,8 @@ void CommandLine::add_seed(const std::string& name, std::uint64_t& value, const 
 }
 
 void CommandLine::add_flag(const std::string& name, bool& value, const std::string& help) {
-  impl_->app.add_flag(name, value, help)->disable_flag_override();
+  impl_->app.add_flag(name, value, help)->disable_flag_override();  // no --flat=no
+  impl_->flags.push_back(name);
 }
 
 void CommandLine::add_choice(const std::string& name, std::string& value,
