@@ -19,12 +19,6 @@ if ! cmp -s docs/package-lock.json docs/node_modules/.installed; then
 fi
 
 "$PYTHON" docs/tools/prepare.py "$WORK"
-# Doxygen goes on when its filter crashes: run it alone first.
-HEADERS=$(cat "$WORK/headers")
-export HEADERS
-# shellcheck disable=SC2086  # a list
-"$PYTHON" docs/tools/header_filter.py $HEADERS >/dev/null
-
 if ! doxygen docs/Doxyfile || [ -s "$WORK/doxygen.log" ]; then
   echo "site: Doxygen warns:" >&2
   cat "$WORK/doxygen.log" >&2

@@ -33,6 +33,17 @@ PLANNED = {
 }
 
 
+# What the site brings along, and where the text of its licence is, below node_modules.
+LICENCES = {
+    "source-serif-4": ("Source Serif 4", "@fontsource-variable/source-serif-4/LICENSE"),
+    "inter": ("Inter", "@fontsource-variable/inter/LICENSE"),
+    "source-code-pro": ("Source Code Pro", "@fontsource-variable/source-code-pro/LICENSE"),
+    "img-comparison-slider": ("img-comparison-slider", "img-comparison-slider/package.json"),  # has no other
+    "minisearch": ("MiniSearch", "minisearch/LICENSE.txt"),
+    "mathjax": ("MathJax, whose letters are in the formulas", "mathjax/LICENSE"),
+}
+
+
 class SiteError(Exception):
     """Something in the repository that the site cannot be built from."""
 

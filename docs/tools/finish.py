@@ -184,7 +184,8 @@ class Site:
 
     def written_body(self, page):
         text = self.doxygen_body(f"{page['name']}.html")
-        text = re.sub(r'^\s*<div class="textblock">|</div>\s*$', "", text.strip())
+        text = text.partition('<div class="textblock">')[2]
+        text = re.sub(r"(?:\s*</div>\s*(?:<!-- PageDoc -->)?)+$", "", text)
         text = re.sub(r'<a class="anchor" id="[^"]*"></a>', "", text)
         text = re.sub(r'<a class="anchor" id="md_[^"]*"></a>', "", text)
         text = text.replace('<p >', "<p>")
@@ -324,6 +325,8 @@ class Site:
         body = self.hinted(body)
         self.index_page(page, body)
         name = plain_text(page["title"])
+        if page["kind"] == "source":
+            name = f"{name} (source)"
         start = page["kind"] == "start"
         values = {
             "title": "Tracing Light" if start else f"{html.escape(name)} \u2013 Tracing Light",
@@ -344,6 +347,8 @@ class Site:
     @staticmethod
     def chapter_heading(page, title):
         number = re.match(r"(\d+)\. ", title)
+        if page["kind"] == "source":
+            return f'<span class="chapter-number">Source</span> {title}'
         if page["kind"] != "chapter" or not number:
             return title
         return f'<span class="chapter-number">Chapter {number[1]}</span> {title[number.end():]}'
@@ -356,8 +361,10 @@ class Site:
     # -- files beside the pages -----------------------------------------------------------------
 
     def copy_files(self):
-        for folder in ("style", "script", "font"):
+        for folder in ("style", "script", "font", "licences"):
             (self.out / folder).mkdir(parents=True)
+        for name, (_, text) in course.LICENCES.items():
+            shutil.copyfile(MODULES / text, self.out / "licences" / f"{name}.txt")
         for path, target in self.assets.items():
             if not path.endswith(".svg"):
                 (self.out / target).parent.mkdir(parents=True, exist_ok=True)

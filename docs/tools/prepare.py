@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes what Doxygen reads: every page of the site, translated, and the pages made from data.
 
-usage: prepare.py WORK   (writes WORK/input/*.md, fragments.json, site.json, headers)
+usage: prepare.py WORK   (writes WORK/input/*.md, WORK/headers, fragments.json, site.json)
 """
 import html
 import json
@@ -27,7 +27,7 @@ class Directives:
 
     def names(self):
         return {"chapters": self.chapters, "exercises": self.exercises,
-                "gallery": self.gallery, "headers": self.headers}
+                "gallery": self.gallery, "headers": self.headers, "licences": self.licences}
 
     def picture(self, chapter, entry):
         """HTML of a stored picture, named by its caption."""
@@ -117,6 +117,7 @@ class Directives:
         return "\n".join(out)
 
     def headers(self):
+        """All headers with what each is for."""
         sections = {}
         for header in course.headers():
             folder = header.removeprefix("chapters/").rsplit("/", 1)[0]
@@ -139,6 +140,13 @@ class Directives:
                            f'{header.removeprefix("chapters/")}</code></a></dt><dd>{brief}</dd>')
             out.append("</dl>")
         return "\n".join(out)
+
+
+    @staticmethod
+    def licences():
+        """Of what the site brings along; finish.py copies the texts."""
+        return "<ul>" + "".join(f'<li><a href="licences/{name}.txt">{label}</a></li>'
+                                for name, (label, _) in course.LICENCES.items()) + "</ul>"
 
 
 def code_of(exercise, name):
@@ -187,6 +195,11 @@ and does so again each time you save."""]
     return "\n\n".join(parts) + "\n"
 
 
+def plain_comments(code):
+    """A header as Doxygen is to read it: comments are plain text, so <desc> in one is no HTML."""
+    return re.sub(r"(?<=///)(<?)([^\n]*)", lambda m: m[1] + m[2].replace("<", "&lt;"), code)
+
+
 def doxygen_page(page, body):
     plain = re.sub(r"[^\w .,:'()/+-]", "", re.sub("\ue000\\d+\ue001", "", page.title)) or page.name
     label = "mainpage" if page.name == "index" else page.name
@@ -230,7 +243,10 @@ def main(work):
                                                    encoding="utf-8")
         done.append(page)
 
-    (work / "headers").write_text(" ".join(course.headers()), encoding="utf-8")
+    for header in course.headers():
+        copy = work / "headers" / header.removeprefix("chapters/")
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        copy.write_text(plain_comments(course.read(header)), encoding="utf-8")
     site = {"pages": [asdict(p) for p in done], "assets": links.assets}
     (work / "site.json").write_text(json.dumps(site, indent=1), encoding="utf-8")
     (work / "fragments.json").write_text(json.dumps(fragments.items), encoding="utf-8")

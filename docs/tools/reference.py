@@ -70,7 +70,8 @@ class Reference:
         name = tree.findtext("compoundname").removeprefix("lt::")
         entry = Entry(tree.get("kind"), name, self.line_of(tree), tree)
         for node in tree.iter("memberdef"):
-            if node.get("prot") == "public":
+            is_told = re.search(r"=\s*(delete|default)", node.findtext("argsstring") or "") is None
+            if node.get("prot") == "public" and is_told:
                 entry.members.append(Entry(node.get("kind"), node.findtext("name"),
                                            self.line_of(node), node))
         entry.members.sort(key=lambda m: m.line)
@@ -266,8 +267,7 @@ class HeaderPage:
         out.append(self.fields([m for m in entry.members if m.kind == "variable"]))
         out.append(self.documentation.details(entry.node))
         functions = [m for m in entry.members if m.kind != "variable"]
-        out += [self.entry(m, level + 1) for m in functions
-                if not re.search(r"= (delete|default)", self.lines[m.line - 1])]
+        out += [self.entry(m, level + 1) for m in functions]
         return "\n".join(out)
 
     @staticmethod
