@@ -74,29 +74,32 @@ struct Exhibit {
   return ball_row({Material{}, std::move(world), {}}, balls, aspect);
 }
 
-/// Brick balls, turned eastwards by equal steps to half a turn.
-[[nodiscard]] inline Exhibit brick_balls(int count, float aspect) {
+/// What brick balls wear.
+[[nodiscard]] inline Look brick_look(int texels) {
   Look look;
-  wear(look, std::make_shared<const TextureMaps>(bricks(512)));
+  wear(look, std::make_shared<const TextureMaps>(bricks(texels)));
+  return look;
+}
+
+/// Brick balls, turned eastwards by equal steps to half a turn.
+[[nodiscard]] inline Exhibit brick_balls(int count, int texels, float aspect) {
   std::vector<SphereMapping> balls(count);
   for (int i = 0; i < count; ++i) {
     balls[i].corner2 = {2.0f, 1.0f};
     balls[i].rotation = globe_rotation(pi * i / count);
   }
-  return ball_row(look, balls, aspect);
+  return ball_row(brick_look(texels), balls, aspect);
 }
 
 /// Brick balls: from the front; from behind, where the texture's ends meet and do not fit; from
 /// above.
-[[nodiscard]] inline Exhibit seam_and_pole(float aspect) {
-  Look look;
-  wear(look, std::make_shared<const TextureMaps>(bricks(512)));
+[[nodiscard]] inline Exhibit seam_and_pole(int texels, float aspect) {
   std::vector<SphereMapping> balls(3);
   for (SphereMapping& ball : balls)
     ball.corner2 = {1.8f, 1.0f};
   balls[1].rotation = rotation_about({0.0f, 1.0f, 0.0f}, pi);
   balls[2].rotation = rotation_about({1.0f, 0.0f, 0.0f}, radians(-70.0f));
-  return ball_row(look, balls, aspect);
+  return ball_row(brick_look(texels), balls, aspect);
 }
 
 }  // namespace lt

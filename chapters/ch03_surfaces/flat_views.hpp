@@ -5,6 +5,7 @@
 #include <array>
 #include <string_view>
 
+#include "ch01_pixels/halve.hpp"
 #include "ch01_pixels/paint.hpp"
 #include "ch02_ray_casting/views.hpp"
 #include "ch03_surfaces/bricks.hpp"
@@ -16,16 +17,17 @@
 namespace lt {
 
 /// The four patterns side by side, colors above, normals (as codes) below.
-[[nodiscard]] inline Image pattern_sheet(int width, int height) {
-  const std::array<TextureMaps, 4> maps{bricks(512), concrete(512), tiles(512), planks(512)};
-  const vec2 cell(static_cast<float>(width) / maps.size(), static_cast<float>(height) / 2.0f);
-  return paint(width, height, [&](vec2 p) {
+[[nodiscard]] inline Image pattern_sheet(int texels, int width, int height) {
+  const std::array<TextureMaps, 4> maps{bricks(texels), concrete(texels), tiles(texels),
+                                        planks(texels)};
+  const vec2 cell = 4.0f * vec2(width, height) / vec2(maps.size(), 2);  // painted 4 times as large
+  return halve(halve(paint(4 * width, 4 * height, [&](vec2 p) {
     const vec2 in_cells = p / cell;
     const TextureMaps& shown = maps[static_cast<std::size_t>(in_cells.x)];
     // A square part of each, as high and as wide as a cell.
     const vec2 uv = glm::fract(in_cells) * vec2(1.0f, cell.y / cell.x);
     return in_cells.y < 1.0f ? bilinear(shown.color, uv) : as_code(bilinear(shown.normals, uv));
-  });
+  })));
 }
 
 /// A letter in 8 x 8 texels that looks different from every side.

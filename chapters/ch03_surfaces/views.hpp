@@ -25,7 +25,7 @@ struct SurfaceViewOptions {
   std::filesystem::path texture;     ///< a picture file; empty: the world map
   float rotate = 0.0f;               ///< the globe, eastwards, degrees
   bool wrong = false;                ///< with the mistake that the text shows
-  int texels = 512;                  ///< side of the walls' textures
+  int texels = 512;                  ///< side of the walls' textures, texels
   int grid = 3;                      ///< grid x grid points in each pixel
   int width = 900;                   ///< pixels
   int height = 720;                  ///< pixels
@@ -40,13 +40,15 @@ struct SurfaceViewOptions {
 [[nodiscard]] inline Exhibit make_exhibit(const SurfaceViewOptions& options) {
   const float aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
   const float eastward = radians(options.rotate);
-  if (options.view == "balls") return brick_balls(4, aspect);
-  if (options.view == "seam") return seam_and_pole(aspect);
+  if (options.view == "balls") return brick_balls(4, options.texels, aspect);
+  if (options.view == "seam") return seam_and_pole(options.texels, aspect);
 
   const Texture picture = options.texture.empty() ? Texture() : load_color(options.texture);
   const bool on_globe = picture && options.texture_on == "globe";
   const Texture world =
-      on_globe ? picture : std::make_shared<const Image>(world_map(is_room(options) ? 1024 : 2048));
+      on_globe
+          ? picture
+          : std::make_shared<const Image>(world_map((is_room(options) ? 2 : 4) * options.texels));
   if (!is_room(options)) return globes(options.view == "spin" ? 5 : 1, world, eastward, aspect);
 
   Exhibit room = room_exhibit(options.camera == "far" ? room_camera_far() : room_camera_near(),
@@ -71,16 +73,17 @@ struct SurfaceViewOptions {
   const std::string& view = options.view;
   if (options.wrong && view != "room" && view != "balls")
     throw InputError("--wrong is for the views room and balls; leave it out for " + view);
-  if (view == "maps") return pattern_sheet(options.width, options.height);
+  if (view == "maps") return pattern_sheet(options.texels, options.width, options.height);
   if (view == "filter") return filter_strip(options.width, options.height);
 
   Exhibit exhibit = make_exhibit(options);
   for (Look& look : exhibit.scene.looks) {
     if (options.normal_maps == "off") look.normals = nullptr;
-    if (options.wrong && is_room(options) && look.color)
+    if (options.wrong && view == "room" && look.color)
       look.color = mistakes::not_decoded(*look.color);
   }
-  const auto look_up = options.wrong ? mistakes::surface_with_local_normal : surface_at;
+  const bool is_local = options.wrong && view == "balls";
+  const auto look_up = is_local ? mistakes::surface_with_local_normal : surface_at;
   return smooth_picture(
       exhibit.camera, options.width, options.height, options.grid, [&](const Ray& ray) {
         const auto hit = closest_hit(exhibit.scene.shapes, ray);
