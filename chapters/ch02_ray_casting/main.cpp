@@ -1,10 +1,9 @@
 // The three-sphere room, seen but not yet lit.
 #include <cmath>
-#include <ctime>
 #include <iostream>
 
 #include "ch01_pixels/image_file.hpp"
-#include "ch02_ray_casting/cost.hpp"
+#include "ch02_ray_casting/cost_plot.hpp"
 #include "ch02_ray_casting/views.hpp"
 #include "common/command_line.hpp"
 #include "common/files.hpp"
@@ -36,7 +35,8 @@ void write_plot(const Options& options, const std::filesystem::path& out) {
   if (out.extension() != ".svg")
     throw lt::InputError("--out: " + lt::printable(out.string()) + " is no plot; end it in .svg");
   const lt::Costs costs = options.measure ? lt::measure_costs() : lt::stored_costs();
-  if (options.measure) std::cout << lt::table(costs);
+  if (options.measure)
+    std::cout << lt::table(costs) << "room: " << std::lround(lt::measure_room()) << " ns a ray\n";
   lt::write_file_whole(out, lt::to_svg(lt::cost_plot(costs)));
 }
 
@@ -45,14 +45,9 @@ void write_picture(const Options& options, const std::filesystem::path& out) {
   const lt::Stage stage = lt::stage_for(options.view, options.camera, options.field_of_view);
   const auto& [width, height, spp, seed, threads, ignored] = options.picture;
 
-  const std::clock_t start = std::clock();
   const lt::Image image =
       lt::draw(stage.scene, stage.camera, lt::view_named(options.view), width, height, threads);
-  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   lt::save_image(out, image);
-
-  std::cout << width << " x " << height << " pixels, "
-            << std::lround(1e9 * seconds / width / height) << " ns of processor time each\n";
   if (options.view == "acne" || options.view == "leave")
     std::cout << 100 * lt::share_of(image, lt::self_hit_color)
               << " % of the points hit the surface that they are on\n";
