@@ -2,6 +2,7 @@
 /// Pictures to and from files: PNG for people (sRGB codes), PFM for numbers (linear radiance).
 #pragma once
 
+#include <array>
 #include <filesystem>
 
 #include "ch01_pixels/image.hpp"
@@ -35,16 +36,23 @@ namespace lt {
   return floats;
 }
 
-/// The linear picture behind 8-bit sRGB codes.
+// [from-codes]
+/// The linear picture behind 8-bit sRGB codes, row by row from the top.
 [[nodiscard]] inline Image from_codes(const Pixels8& codes) {
+  // There are only 256 answers: work them out once, not once for each pixel.
+  std::array<float, 256> light;
+  for (std::size_t code = 0; code < light.size(); ++code)
+    light[code] = from_code(static_cast<std::uint8_t>(code));
+
   Image image(codes.width, codes.height);
   const std::uint8_t* code = codes.rgb.data();
   for (int y = 0; y < codes.height; ++y)
     for (int x = 0; x < codes.width; ++x)
       for (int c = 0; c < 3; ++c)
-        image.at(x, y)[c] = from_code(*code++);
+        image.at(x, y)[c] = light[*code++];
   return image;
 }
+// [from-codes]
 
 /// @throws InputError  `path` does not end in ".png" or ".pfm"
 inline void require_picture_path(const std::filesystem::path& path) {

@@ -127,7 +127,7 @@ TEST_CASE("evening: the sun is brighter than a screen and water mirrors what sta
   const Rgb above = lt::evening({-0.3f, lt::waterline + 1e-5f});
   const Rgb below = lt::evening({-0.3f, lt::waterline - 1e-5f});
   const Rgb expected = Rgb(0.45f, 0.52f, 0.60f) * above + Rgb(0.001f, 0.004f, 0.010f);
-  CHECK(glm::distance(below, expected) < 1e-3f);
+  CHECK(glm::distance(below, expected) < 1e-5f);
 }
 
 TEST_CASE("evening: the picture stands upright - sky above and sun above its reflection") {
