@@ -23,7 +23,7 @@ double RunningMean::standard_error() const {
 }
 
 bool ZTest::agrees(double smallest_effect) const {
-  // Written so that NaN does not agree.
+  if (std::isnan(z) || std::isnan(effect)) return false;
   return std::abs(z) <= 6 || std::abs(effect) <= smallest_effect;
 }
 
