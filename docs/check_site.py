@@ -18,7 +18,7 @@ LOADS = {("img", "src"), ("img", "srcset"), ("script", "src"), ("link", "href"),
 LEFTOVERS = [
     (r"[\ue000-\uf8ff]", "a mark of the translation"),
     (r"\\f[\[$]|\\(?:html|end)only|\\ref\b", "a Doxygen command"),
-    (r"\$\$|(?<![\w$])\$(?=[^\s$][^$]*[\\^_{][^$]*\$)", "a formula that was not set"),
+    (r"\$\$|\$(?=[^\s$][^$\n]*[\\^_{][^$\n]*\$)", "a formula that was not set"),
     (r"\*\*\S|\S\*\*", "bold that was not set"),
     (r"\]\([\w./#-]+\)", "a link that was not made"),
     (r"\[!(?:NOTE|TIP|IMPORTANT|WARNING|CAUTION)\]", "a box that was not made"),

@@ -79,7 +79,7 @@ const makeReachable = () => {
   for (const box of scrollers) {
     if (box.scrollWidth > box.clientWidth + 1) {
       box.tabIndex = 0;
-      box.setAttribute('role', 'region');
+      box.setAttribute('role', 'group');
       box.setAttribute('aria-label', 'scrolls sideways');
     } else {
       box.removeAttribute('tabindex');

@@ -209,6 +209,8 @@ class Site:
             head, body = out[0], "".join(out[1:])
             shows = r"<img|class=\"drawing\""
             kind = " pictures" if re.search(shows, match[1]) else ""
+            if not kind and rows[0].count("</t") > 4:
+                kind = " wide"
             if re.search(shows, head):  # a row of pictures, labels below
                 body, head = head.replace("<th scope=col", "<td").replace("</th>", "</td>") + body, ""
             elif not plain_text(head):

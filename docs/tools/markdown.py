@@ -175,6 +175,7 @@ class Translator:
     def typography(text):
         """What a typesetter would do to plain ASCII."""
         text = text.replace("...", "\u2026")
+        text = re.sub(r"(?<=\d) %", "\u00a0%", text)
         text = re.sub(r"(?<=\d) x (?=\d)", " \u00d7 ", text)
         text = re.sub(r"(?<=[^\s|]) - (?=\S)", "\u00a0\u2013 ", text)
         text = re.sub(r"(?<=[^\s|]) -$", "\u00a0\u2013", text, flags=re.M)
@@ -302,8 +303,9 @@ class Translator:
         caption = self.caption(match[2]) if match[2] else None
         first = self.image(*images[0].groups(), ' slot="first"')
         second = self.image(*images[1].groups(), ' slot="second"')
+        width = max([int(w) for w in re.findall(r"--w:(\d+)", first + second)] or [480])
         return self.block(
-            '<figure class="figure compare">'
+            f'<figure class="figure compare" style="--w:{width}">'
             f'<div class="compare-labels" aria-hidden="true"><span>{labels[0]}</span>'
             f"<span>{labels[1]}</span></div>"
             f"<img-comparison-slider>{first}{second}</img-comparison-slider>"
