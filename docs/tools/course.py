@@ -19,17 +19,20 @@ PARTS = [
      ["ch13_distributed_ray_tracing", "ch14_two_ways"]),
 ]
 PLANNED = {
-    "ch04_monte_carlo": "Random numbers, estimators, their error, and how to halve it",
-    "ch05_rendering_equation": "Radiance, and the first light in the room",
-    "ch06_importance_sampling": "Look where the light is",
-    "ch07_fresnel": "How much a surface mirrors: glass, water, gold",
-    "ch08_microfacets": "What roughness is",
-    "ch09_metal_and_plastic": "Sampling a rough surface well",
-    "ch10_dielectric": "Colour under a clear coat, and whose energy it is",
-    "ch11_refraction": "Light through rough glass, and caustics",
-    "ch12_russian_roulette": "Paths that end fairly: the path tracer, complete",
-    "ch13_distributed_ray_tracing": "Soft shadows and bounces as a tree of rays",
-    "ch14_two_ways": "Which of the two is faster, and how to know",
+    "ch04_monte_carlo":
+        ("Monte Carlo", "Random numbers, estimators, their error, and how to halve it"),
+    "ch05_rendering_equation": ("The rendering equation", "Radiance, and the first light in the room"),
+    "ch06_importance_sampling": ("Importance sampling", "Look where the light is"),
+    "ch07_fresnel": ("Fresnel", "How much a surface mirrors: glass, water, gold"),
+    "ch08_microfacets": ("Microfacets", "What roughness is"),
+    "ch09_metal_and_plastic": ("Metal and plastic", "Sampling a rough surface well"),
+    "ch10_dielectric": ("Dielectric", "Colour under a clear coat, and whose energy it is"),
+    "ch11_refraction": ("Refraction", "Light through rough glass, and caustics"),
+    "ch12_russian_roulette":
+        ("Russian roulette", "Paths that end fairly: the path tracer, complete"),
+    "ch13_distributed_ray_tracing":
+        ("Distributed ray tracing", "Soft shadows and bounces as a tree of rays"),
+    "ch14_two_ways": ("Two ways", "Which of the two is faster, and how to know"),
 }
 
 
@@ -70,8 +73,10 @@ def read(path):
 
 
 def planned_title(chapter):
+    """Title of a chapter that has no text yet."""
     number, name = re.match(r"ch(\d+)_(.+)", chapter).groups()
-    return f"{int(number)}. {name.replace('_', ' ').capitalize()}"
+    title, _ = PLANNED.get(chapter, (name.replace("_", " ").capitalize(), ""))
+    return f"{int(number)}. {title}"
 
 
 def chapters():

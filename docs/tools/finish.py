@@ -256,9 +256,7 @@ class Site:
         inner = ""
         if page["kind"] == "exercise" or page["name"] == "exercises":
             inner = "<ol>" + "".join(
-                item(n, f'<span class="number">{n.split("_")[1]}.{n.split("_")[2]}</span> '
-                     + self.pages[n]["title"])
-                for n in self.pages if self.pages[n]["kind"] == "exercise") + "</ol>"
+                item(n) for n in self.pages if self.pages[n]["kind"] == "exercise") + "</ol>"
         out.append('<p class="nav-part">Practice</p><ul>' + item("exercises", children=inner) + "</ul>")
         inner = ""
         if page["kind"] in ("api", "source") or page["name"] == "api":

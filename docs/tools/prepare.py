@@ -38,11 +38,10 @@ class Directives:
         up = "../" * self.translator.page.source.count("/")
         return self.translator.image(alt, up + path.lstrip("/"))
 
-    def cover(self, chapter):
-        """The picture that stands for a chapter: the one marked so, or the last PNG."""
-        entries = [e for e in course.pictures(chapter) if e["file"].endswith(".png")]
-        marked = [e for e in entries if e.get("cover")]
-        return (marked or entries[-1:] or [None])[0]
+    @staticmethod
+    def cover(chapter):
+        """The picture that stands for a chapter: its first one."""
+        return next((e for e in course.pictures(chapter) if e["file"].endswith(".png")), None)
 
     def chapters(self):
         written = set(course.chapters())
@@ -69,7 +68,7 @@ class Directives:
     def planned_card(chapter):
         number, title = course.planned_title(chapter).split(". ")
         return (f'<li class="card planned"><span class="card-title"><b>{number}</b> '
-                f'{html.escape(title)}</span><p class="says">{html.escape(course.PLANNED.get(chapter, ""))} '
+                f'{html.escape(title)}</span><p class="says">{html.escape(course.PLANNED[chapter][1])} '
                 f'<small>(to come)</small></p></li>')
 
     def exercises(self):
@@ -168,14 +167,18 @@ def exercise_text(exercise):
     folder, ident = exercise["folder"], exercise["id"]
     text = course.read(f"{folder}/README.md").rstrip("\n")
     title_line = re.search(r"^# .+\n", text, flags=re.M)
-    text = f"{text[:title_line.end()]}\n<!-- meta -->\n\n{text[title_line.end():]}"
+    if not re.search(r"^About \d+ minutes", text, flags=re.M):
+        text = f"{text[:title_line.end()]}\n<!-- meta -->\n\n{text[title_line.end():]}"
     mine = f"my/{ident}-{exercise['name']}.cpp"
-    parts = [text, "## Do it", f"""```sh
+    parts = [text]
+    if "./learn" not in text:
+        parts.append(f"""## Do it
+
+```sh
 ./learn run {ident}
 ```
 
-The first time this makes `{mine}` for you to edit. It builds your file, checks it, says what it saw,
-and does so again each time you save."""]
+The first time, this makes `{mine}` for you to edit.""")
     parts.append("## Hints\n\nOne at a time; each gives away a little more than the one before.")
     for number, hint in enumerate(exercise.get("hints", []), 1):
         parts.append(f"<details><summary>Hint {number}</summary>\n\n{hint}\n\n</details>")

@@ -17,19 +17,23 @@ def matching_brace(text, start):
     raise SiteError("a figure's <style> has an unclosed brace")
 
 
-def scoped(css, scope):
-    """Rules of a figure's style, for that figure only."""
+def scoped(css, figure, root_class, inside=""):
+    """Rules of a figure's style, for that figure only; `inside` is what it has to stand in."""
+    root = rf"(?:svg|:root{f'|[.]{re.escape(root_class)}' if root_class else ''})(?![\w-])"
+
+    def selector(text):
+        text = re.sub(r"#([\w-]+)", rf"#{figure}-\1", text.strip())
+        whole = re.match(root, text)
+        rest = text[whole.end():] if whole else f" {text}"
+        return f":where({inside}) #{figure}{rest}" if inside else f"#{figure}{rest}"
+
     def rule(match):
-        selectors = [s.strip() for s in match[1].split(",")]
-        whole = [scope if s in ("svg", ":root") else
-                 re.sub(r"^(svg|:root)(?=[\s.:>])", "", s) and
-                 f"{scope} {re.sub(r'^(svg|:root) +', '', s)}" for s in selectors]
-        return f"{','.join(whole)}{{{match[2].strip()}}}"
+        return f"{','.join(selector(s) for s in match[1].split(','))}{{{match[2].strip()}}}"
     css = re.sub(r"/\*.*?\*/", "", css, flags=re.S)
     return re.sub(r"([^{}]+)\{([^{}]*)\}", rule, css).strip()
 
 
-def themed_style(css, figure):
+def themed_style(css, figure, root_class=""):
     """A figure's style with the system's dark mode turned into the page's."""
     light, dark = "", ""
     while match := DARK.search(css):
@@ -40,11 +44,11 @@ def themed_style(css, figure):
     light += css
     if "@media" in light:
         raise SiteError("a figure's <style> has a media query that is not prefers-color-scheme: dark")
-    style = scoped(light, f"#{figure}")
+    style = scoped(light, figure, root_class)
     if dark.strip():
-        style += scoped(dark, f"html.dark-mode #{figure}")
+        style += scoped(dark, figure, root_class, "html.dark-mode")
         style += ("@media (prefers-color-scheme: dark){"
-                  + scoped(dark, f"html:not(.light-mode) #{figure}") + "}")
+                  + scoped(dark, figure, root_class, "html:not(.light-mode)") + "}")
     return style
 
 
@@ -55,8 +59,10 @@ def inline_svg(path, alt, figure):
         start = text.index("<svg")
         text = text[start:text.rindex("</svg>") + len("</svg>")]
         text = re.sub(r"<!--.*?-->", "", text, flags=re.S)
+        root_class = re.search(r'\bclass="([\w-]+)"', text[:text.index(">")])
+        root_class = root_class[1] if root_class else ""
         text = re.sub(r"<style[^>]*>(?:\s*<!\[CDATA\[)?(.*?)(?:\]\]>\s*)?</style>",
-                      lambda m: f"<style>{themed_style(m[1], figure)}</style>", text, flags=re.S)
+                      lambda m: f"<style>{themed_style(m[1], figure, root_class)}</style>", text, flags=re.S)
         text = re.sub(r"<(title|desc|metadata)\b[^>]*>.*?</\1>", "", text, flags=re.S)
         text = re.sub(r'\bid="([^"]+)"', rf'id="{figure}-\1"', text)
         text = re.sub(r"url\(#([^)]+)\)", rf"url(#{figure}-\1)", text)
