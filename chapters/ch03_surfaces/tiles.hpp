@@ -27,11 +27,11 @@ inline PatternPoint tiles_at(vec2 uv) {
   const float inside = -round_box(on_tile, vec2(1.0f - grout) / 2.0f, 0.03f);
   const float glazed = glm::smoothstep(-0.004f, 0.004f, inside);
 
-  // Clouds and grain, cut differently for each tile; no kiln repeats a shade.
+  // Sand, and clouds cut differently for each tile; no kiln repeats a shade.
   const auto luck = [&](int draw) { return cell_random(tile.cell.x, tile.cell.y, 200 + draw); };
   const vec2 cut(luck(0), luck(1));
   const float clouds = fbm(uv + cut, {8, 8}, 5, 210);
-  const float sand = fbm(uv + cut, {128, 128}, 2, 220);
+  const float sand = fbm(uv, {128, 128}, 2, 220);
   const float shade = 0.74f + 0.16f * (luck(2) - 0.5f) + 0.25f * clouds + 0.12f * sand;
   const Rgb glaze = shade * glm::mix(Rgb(1.05f, 1.0f, 0.93f), Rgb(0.99f, 1.0f, 1.0f), luck(3));
 
