@@ -37,6 +37,11 @@ std::optional<Remark> parse_remark(const std::string& line) {
   return remark;
 }
 
+// Either kind of slash.
+std::string file_name(const std::string& path) {
+  return path.substr(path.find_last_of("/\\") + 1);
+}
+
 // GCC and Clang show the line of code below their message: "   12 |   code" or "  code".
 std::string code_below(const std::vector<std::string>& lines, std::size_t index) {
   static const std::regex numbered(R"(^ *\d+ \| ?(.*)$)");
@@ -79,7 +84,7 @@ std::optional<BuildError> first_build_error(std::string_view output, const fs::p
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::optional<Remark> remark = parse_remark(lines[i]);
     if (!remark) continue;
-    const bool is_mine = fs::path(remark->file).filename() == answer.filename();
+    const bool is_mine = file_name(remark->file) == answer.filename();
     const bool is_error = remark->kind.ends_with("error");
     if (is_mine && is_error) {
       return BuildError{remark->line, remark->column, remark->message, code_below(lines, i)};

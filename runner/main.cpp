@@ -15,8 +15,8 @@ namespace lt {
 namespace {
 
 std::vector<Command> all_commands() {
-  std::vector<Command> commands = course_commands();
-  for (Command& command : exercise_commands())
+  std::vector<Command> commands = exercise_commands();
+  for (Command& command : course_commands())
     commands.push_back(std::move(command));
   return commands;
 }

@@ -102,7 +102,7 @@ std::vector<std::string> near_words(std::string_view word,
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::string> words;
   for (const auto& [distance, choice] : found) {
-    if (words.size() < 3) words.push_back(choice);
+    if (words.size() < 3 && distance == found.front().first) words.push_back(choice);
   }
   return words;
 }

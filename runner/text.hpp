@@ -29,7 +29,7 @@ namespace lt {
 /// (Damerau and Levenshtein's restricted distance).
 [[nodiscard]] int edit_distance(std::string_view a, std::string_view b);
 
-/// The choices that someone who typed `word` may have meant, nearest first; at most three.
+/// The choices that someone who typed `word` may have meant: the nearest, at most three.
 [[nodiscard]] std::vector<std::string> near_words(std::string_view word,
                                                   const std::vector<std::string>& choices);
 

@@ -2,6 +2,7 @@
 /// The pinhole camera.
 #pragma once
 
+#include <cassert>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
@@ -23,8 +24,10 @@ struct Camera {
 
 // [look-at]
 /// A camera at `position` that sees `target` in the middle of its picture.
-/// @param up  roughly upward; not along the line of sight
+/// @param target  not at `position`
+/// @param up      roughly upward; not along the line of sight
 [[nodiscard]] inline Camera look_at(vec3 position, vec3 target, vec3 up = {0.0f, 1.0f, 0.0f}) {
+  assert(length(cross(up, target - position)) > 0.0f);
   Camera camera;
   camera.position = position;
   camera.forward = normalize(target - position);

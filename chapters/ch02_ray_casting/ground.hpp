@@ -8,12 +8,14 @@
 
 namespace lt {
 
+/// The plane y = level.
 struct Ground {
   float level;  ///< its y, metres
 };
 
 // [intersect-ground]
-/// Distance to the plane y = level, from above or below.
+/// Distance to the ground, from above or below.
+/// @param t_max  a crossing at t >= t_max does not count
 /// @return t in (0, t_max), or nothing
 [[nodiscard]] inline std::optional<float> intersect(const Ground& ground, const Ray& ray,
                                                     float t_max) {

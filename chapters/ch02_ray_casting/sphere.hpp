@@ -9,6 +9,7 @@
 
 namespace lt {
 
+/// A ball's surface; it can be hit from outside and from inside.
 struct Sphere {
   vec3 center;   ///< metres
   float radius;  ///< metres, > 0

@@ -14,7 +14,7 @@ namespace lt {
 struct SurfacePoint {
   vec3 position;
   vec3 normal;           ///< geometric, unit; outward for spheres, up for the ground
-  float position_error;  ///< metres; rounding has moved `position` by less than this
+  float position_error;  ///< metres; `position` is nearer to the true surface than this
 };
 // [surface-point]
 
@@ -23,7 +23,8 @@ struct SurfacePoint {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// Bound on the rounding of a hit's position: 4 units in the last place of what went into it.
+/// Bound on how far rounding moves a point off its surface: 4 epsilon (8 roundings) of the sum of
+/// all lengths that went into it.
 [[nodiscard]] inline float rounding_bound(float magnitude) {
   return 4.0f * std::numeric_limits<float>::epsilon() * magnitude;
 }
@@ -38,6 +39,7 @@ struct SurfacePoint {
 }
 // [on-sphere]
 
+/// The point of the plane of `triangle` nearest to `near_it`.
 [[nodiscard]] inline SurfacePoint point_on(const Triangle& triangle, vec3 near_it) {
   const vec3 position =
       near_it - dot(near_it - triangle.corner(0), triangle.normal()) * triangle.normal();
@@ -46,6 +48,7 @@ struct SurfacePoint {
   return {position, triangle.normal(), rounding_bound(magnitude)};
 }
 
+/// The point of `ground` above or below `near_it`.
 [[nodiscard]] inline SurfacePoint point_on(const Ground& ground, vec3 near_it) {
   const vec3 position{near_it.x, ground.level, near_it.z};
   return {position, {0.0f, 1.0f, 0.0f}, rounding_bound(2.0f * max_abs(position))};

@@ -40,8 +40,9 @@ class Triangle {
 // [triangle]
 
 // [edge-side]
-/// On which side of the edge from `a` to `b` a ray passes: 2 d . (b x a), with `a` and `b` seen
-/// from the ray's origin. Going the edge the other way gives exactly the negative, digit for digit.
+/// On which side of the edge from `a` to `b` a ray passes: the sign of 2 d . (b x a), with `a` and
+/// `b` seen from the ray's origin. Going the edge the other way gives exactly the negative, digit
+/// for digit: two triangles that share an edge never both refuse a ray.
 [[nodiscard]] inline float edge_side(vec3 a, vec3 b, vec3 direction) {
   return dot(cross(b - a, b + a), direction);
 }
@@ -49,6 +50,7 @@ class Triangle {
 
 // [intersect-triangle]
 /// Distance to the triangle, from either side.
+/// @param t_max  a crossing at t >= t_max does not count
 /// @return t in (0, t_max), or nothing
 [[nodiscard]] inline std::optional<float> intersect(const Triangle& triangle, const Ray& ray,
                                                     float t_max) {

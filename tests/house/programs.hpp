@@ -1,5 +1,5 @@
 /// @file
-/// The chapters' programs, as this build made them.
+/// The programs, as this build made them.
 #pragma once
 
 #include <filesystem>
@@ -15,5 +15,8 @@ struct Program {
 
 /// Every chapter's program, in order.
 [[nodiscard]] std::vector<Program> programs();
+
+/// The runner behind `./learn`.
+[[nodiscard]] std::filesystem::path learn_program();
 
 }  // namespace lt::house
