@@ -1,5 +1,5 @@
-// Sets formulas (MathJax, SVG with MathML for screen readers) and colours code (highlight.js),
-// once, here, so that pages need no script for either.
+// Sets formulas (MathJax; with MathML, and with the words of speech-rule-engine for those who
+// listen) and colours code (highlight.js), once, here, so that pages need no script for either.
 // usage: node typeset.mjs fragments.json typeset.json
 import { readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -29,6 +29,9 @@ const mathjax = await createRequire(import.meta.url)('mathjax').init({
   },
   svg: { fontCache: 'global' },
 });
+const speech = createRequire(import.meta.url)('speech-rule-engine');
+await speech.setupEngine({ locale: 'en', domain: 'clearspeak', modality: 'speech' });
+await speech.engineReady();
 const adaptor = mathjax.startup.adaptor;
 
 /** A formula as {svg, mathml, number}. */
@@ -42,7 +45,8 @@ function formula(tex, display) {
     .replaceAll('xlink:href', 'href')
     .replaceAll('></use>', '/>').replaceAll('></path>', '/>').replaceAll('></rect>', '/>');
   const mathml = adaptor.innerHTML(assistive).replace(/ data-[\w-]+="[^"]*"/g, '');
-  return { svg: slim, mathml, number: tags.length ? tags[0][1] : '' };
+  const words = speech.toSpeech(mathml).replaceAll('"', '');
+  return { svg: slim, mathml: mathml.replace('<math', `<math aria-label="${words}"`), number: tags.length ? tags[0][1] : '' };
 }
 
 const formulas = {};
