@@ -60,7 +60,7 @@ inline PatternPoint bricks_at(vec2 uv) {
 }
 // [brick-at]
 
-/// The brick wall as color and normal map.
+/// The brick wall as colour and normal map.
 /// @param size  texels along each side
 [[nodiscard]] inline TextureMaps bricks(int size) {
   return paint(bricks_at, size);

@@ -13,8 +13,7 @@ namespace concrete_wall {
 inline constexpr ivec2 panels{2, 3};   ///< across and down
 inline constexpr float seam = 0.003f;  ///< half its width; unit here: the wall's side
 inline constexpr float seam_depth = 0.0015f;
-inline constexpr float tie_radius =
-    0.0085f;  ///< of the holes left by the ties that held the boards
+inline constexpr float tie_radius = 0.0085f;  ///< of the holes of the ties that held the boards
 inline constexpr float tie_depth = 0.006f;
 }  // namespace concrete_wall
 // [concrete-size]
@@ -55,7 +54,7 @@ inline PatternPoint concrete_at(vec2 uv) {
 }
 // [concrete-at]
 
-/// The concrete wall as color and normal map.
+/// The concrete wall as colour and normal map.
 /// @param size  texels along each side
 [[nodiscard]] inline TextureMaps concrete(int size) {
   return paint(concrete_at, size);

@@ -57,7 +57,7 @@ inline PatternPoint planks_at(vec2 uv) {
 }
 // [plank-at]
 
-/// The planks as color and normal map.
+/// The planks as colour and normal map.
 /// @param size  texels along each side
 [[nodiscard]] inline TextureMaps planks(int size) {
   return paint(planks_at, size);

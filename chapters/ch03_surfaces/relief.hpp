@@ -1,6 +1,6 @@
 /// @file
-/// Relief: from a pattern, which says how high and of what color each point is, to the two pictures
-/// that make a wall of it.
+/// Relief: from a pattern, which says how high and of what colour each point is, to the two
+/// pictures that make a wall of it.
 #pragma once
 
 #include <cassert>

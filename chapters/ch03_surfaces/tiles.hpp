@@ -49,7 +49,7 @@ inline PatternPoint tiles_at(vec2 uv) {
 }
 // [tile-at]
 
-/// The tiled floor as color and normal map.
+/// The tiled floor as colour and normal map.
 /// @param size  texels along each side
 [[nodiscard]] inline TextureMaps tiles(int size) {
   return paint(tiles_at, size);

@@ -71,7 +71,7 @@ TEST_CASE("cell_random: uniform in 0 to 1 over columns and rows and seeds") {
   CHECK(kolmogorov_smirnov(seeds, uniform).p_value > 1e-6);
 }
 
-TEST_CASE("cell_random: a cell says nothing about its neighbors") {
+TEST_CASE("cell_random: a cell says nothing about its neighbours") {
   RunningMean right, below, next_seed;
   for (int y = 0; y < 100; ++y)
     for (int x = 0; x < 100; ++x) {

@@ -180,10 +180,10 @@ TEST_CASE("patterns: normals are unit and point out of the wall") {
   }
 }
 
-TEST_CASE("patterns: opposite edges fit as well as neighbors inside") {
-  // Two tiles or panels may differ in color where they meet, at an edge as anywhere: all lines at
+TEST_CASE("patterns: opposite edges fit as well as neighbours inside") {
+  // Two tiles or panels may differ in colour where they meet, at an edge as anywhere: all lines at
   // which parts can meet are multiples of 1/24; 10 % for luck. A hair of 4e-6 on slopes of up to
-  // 1/texel, 512, gives 0.002 in color; heights are 0.005 at most, and so is their share.
+  // 1/texel, 512, gives 0.002 in colour; heights are 0.005 at most, and so is their share.
   const NamedPattern patterns[] = {
       {"bricks", bricks_at}, {"concrete", concrete_at}, {"tiles", tiles_at}, {"planks", planks_at}};
   for (const NamedPattern& pattern : patterns)

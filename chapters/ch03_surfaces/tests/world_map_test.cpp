@@ -38,7 +38,7 @@ struct Place {
   double lon, lat;
 };
 
-/// Area in millions of square kilometers of one outline (or of all), on a sphere of radius 6371 km.
+/// Area in millions of square kilometres of one outline (or of all), on a sphere of radius 6371 km.
 double area_of(std::string_view name) {
   Image shares(1440, 720);
   for (const Outline& outline : world_outlines())
@@ -105,7 +105,7 @@ TEST_CASE("world: outlines stay on the globe") {
 }
 
 TEST_CASE("world: land has its real size") {
-  // Millions of square kilometers, as in any atlas; the table is coarse: 6 %, islands 15 %.
+  // Millions of square kilometres, as in any atlas; the table is coarse: 6 %, islands 15 %.
   // "Eurasia" and "America" are the mainlands with their lakes: the continents' sizes without their
   // islands (about 3.2 and 4.1), and with the Caspian and the Black Sea (0.8).
   CHECK(area_of("all") == Approx(148.9 + 1.6).epsilon(0.03));  // with Antarctica's ice shelves
