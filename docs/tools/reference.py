@@ -27,6 +27,7 @@ class Reference:
         self.addresses = {}    # Doxygen's id -> address on the site
         self.symbols = {}      # name -> [(header, address)]
         self.line_links = {}   # header -> {line: [(start, end, address)]}
+        self.fields = set()    # ids of data members, which would make a page of links
         self.headers = {h.removeprefix("chapters/"): h for h in course.headers()}
         trees = [ElementTree.parse(p).getroot().find("compounddef")
                  for p in sorted(xml.glob("*.xml")) if p.stem not in ("index", "Doxyfile")]
@@ -71,6 +72,8 @@ class Reference:
         entry = Entry(tree.get("kind"), name, self.line_of(tree), tree)
         for node in tree.iter("memberdef"):
             is_told = re.search(r"=\s*(delete|default)", node.findtext("argsstring") or "") is None
+            if node.get("kind") == "variable":
+                self.fields.add(node.get("id"))
             if node.get("prot") == "public" and is_told:
                 entry.members.append(Entry(node.get("kind"), node.findtext("name"),
                                            self.line_of(node), node))
@@ -112,7 +115,8 @@ class Reference:
                     position += len(highlight.text or "")
                     for node in highlight:
                         text = " " if node.tag == "sp" else node.text or ""
-                        address = self.addresses.get(node.get("refid"))
+                        target = node.get("refid")
+                        address = self.addresses.get(target) if target not in self.fields else None
                         if node.tag == "ref" and address:
                             links.append((position, position + len(text), address))
                         position += len(text) + len(node.tail or "")
