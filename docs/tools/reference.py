@@ -27,6 +27,7 @@ class Reference:
         self.addresses = {}    # Doxygen's id -> address on the site
         self.symbols = {}      # name -> [(header, address)]
         self.line_links = {}   # header -> {line: [(start, end, address)]}
+        self.functions = set()  # ids of functions
         self.fields = set()    # ids of data members, which would make a page of links
         self.headers = {h.removeprefix("chapters/"): h for h in course.headers()}
         trees = [ElementTree.parse(p).getroot().find("compounddef")
@@ -50,6 +51,8 @@ class Reference:
 
     def collect(self):
         for tree in self.trees:
+            self.functions.update(n.get("id") for n in tree.iter("memberdef")
+                                  if n.get("kind") == "function")
             kind = tree.get("kind")
             if kind in ("class", "struct") and "::" in tree.findtext("compoundname"):
                 self.collect_class(tree)
@@ -110,17 +113,20 @@ class Reference:
                 continue
             lines = self.line_links[header] = {}
             for codeline in tree.iter("codeline"):
-                links, position = [], 0
+                links, line = [], ""
                 for highlight in codeline.iter("highlight"):
-                    position += len(highlight.text or "")
+                    line += highlight.text or ""
                     for node in highlight:
                         text = " " if node.tag == "sp" else node.text or ""
                         target = node.get("refid")
                         address = self.addresses.get(target) if target not in self.fields else None
                         if node.tag == "ref" and address:
-                            links.append((position, position + len(text), address))
-                        position += len(text) + len(node.tail or "")
-                lines[int(codeline.get("lineno"))] = links
+                            links.append((len(line), len(line) + len(text), address, target))
+                        line += text + (node.tail or "")
+                # Doxygen takes a local variable for a function of the same name.
+                lines[int(codeline.get("lineno"))] = [
+                    (start, end, address) for start, end, address, target in links
+                    if target not in self.functions or line[end:end + 1] == "("]
 
     def symbol(self, name, near=""):
         """Where a name is documented; `near` is a header or folder to prefer. None if unclear."""
