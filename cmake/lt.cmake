@@ -45,6 +45,9 @@ if(LT_SANITIZE)
   target_compile_options(lt_options INTERFACE -fsanitize=${LT_SANITIZE} -fno-omit-frame-pointer
     -fno-sanitize-recover=all)
   target_link_options(lt_options INTERFACE -fsanitize=${LT_SANITIZE})
+  # g++ sees uninitialised values in the checks that it adds itself.
+  target_compile_options(lt_options INTERFACE
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
 
 include(${LT_ROOT}/cmake/Dependencies.cmake)

@@ -1,15 +1,13 @@
 #include "common/plot.hpp"
 
-#include <array>
 #include <cmath>
 #include <limits>
-#include <regex>
 
 #include "common/plot/end_labels.hpp"
-#include "common/plot/style.hpp"
 #include "common/plot/text.hpp"
 #include "common/testkit/catch.hpp"
 #include "common/testkit/exercise.hpp"
+#include "common/tests/svg_text.hpp"
 #include "common/tests/temporary_folder.hpp"
 #include "common/tests/xml.hpp"
 
@@ -23,21 +21,12 @@ lt::Plot plot_of(const std::vector<lt::Series>& series) {
   return {"Title", "x", "y", false, false, "What to see.", series};
 }
 
-// Every match of a pattern's first group.
-std::vector<std::string> all_matches(const std::string& text, const std::string& pattern) {
-  const std::regex regex(pattern);
-  std::vector<std::string> found;
-  for (std::sregex_iterator match(text.begin(), text.end(), regex), end; match != end; ++match)
-    found.push_back((*match)[1]);
-  return found;
-}
-
 std::vector<std::string> curves(const std::string& svg) {
-  return all_matches(svg, "class=\"curve\" d=\"([^\"]*)\"");
+  return all_between(svg, "class=\"curve\" d=\"", "\"");
 }
 
 std::size_t count(const std::string& text, const std::string& part) {
-  return all_matches(text, "(" + part + ")").size();
+  return all_between(text, part, "").size();
 }
 
 std::string problem(const std::string& svg) {
@@ -76,9 +65,13 @@ TEST_CASE("plot: markup and control characters in words are made harmless") {
 TEST_CASE("plot: every word is at least 15 units high, to be read on a phone") {
   lt::Plot plot = plot_of({{"curve", {1e-9, 1}, {1e-9, 1}}});
   plot.log_x = plot.log_y = true;
-  const auto sizes = all_matches(lt::to_svg(plot), "font-size[:=]\"?([0-9.]+)");
-  REQUIRE_FALSE(sizes.empty());
-  for (const std::string& size : sizes)
+  const std::string svg = lt::to_svg(plot);
+  const auto rules = all_between(svg, "font-size:", "px");
+  const auto attributes = all_between(svg, "font-size=\"", "\"");
+  REQUIRE(rules.size() == 1);
+  REQUIRE_FALSE(attributes.empty());
+  CHECK(std::stod(rules[0]) >= 15);
+  for (const std::string& size : attributes)
     CHECK(std::stod(size) >= 15);
 }
 
@@ -118,7 +111,7 @@ TEST_CASE("plot: no series and empty series say that there is no data") {
     }
 }
 
-TEST_CASE("plot: larger values are higher up, and everything lies inside") {
+TEST_CASE("plot: everything lies inside the picture") {
   lt::TestRandom random(4);
   for (int round = 0; round < 50; ++round) {
     lt::Plot plot = plot_of({});
@@ -135,14 +128,21 @@ TEST_CASE("plot: larger values are higher up, and everything lies inside") {
     }
     const std::string svg = lt::to_svg(plot);
     REQUIRE(problem(svg).empty());
-    for (const std::string& x : all_matches(svg, " c?x=\"([^\"]*)\""))
-      REQUIRE((std::stod(x) >= 0 && std::stod(x) <= 720));
-    for (const std::string& y : all_matches(svg, " c?y=\"([^\"]*)\""))
-      REQUIRE((std::stod(y) >= 0 && std::stod(y) <= 440));
+    for (const std::string name : {" x=\"", " cx=\""})
+      for (const std::string& x : all_between(svg, name, "\""))
+        REQUIRE((std::stod(x) >= 0 && std::stod(x) <= 720));
+    for (const std::string name : {" y=\"", " cy=\""})
+      for (const std::string& y : all_between(svg, name, "\""))
+        REQUIRE((std::stod(y) >= 0 && std::stod(y) <= 440));
   }
-  const auto path = curves(lt::to_svg(plot_of({{"", {0, 1}, {0, 1}}}))).at(0);
-  const auto ys = all_matches(path, " ([0-9.]+)");
-  REQUIRE(ys.size() == 2);
+}
+
+TEST_CASE("plot: larger values are further right and higher up") {
+  const std::string svg = lt::to_svg(plot_of({{"", {0, 1}, {0, 1}, true, true}}));
+  const auto xs = all_between(svg, " cx=\"", "\"");
+  const auto ys = all_between(svg, " cy=\"", "\"");
+  REQUIRE(xs.size() == 2);
+  CHECK(std::stod(xs[0]) < std::stod(xs[1]));
   CHECK(std::stod(ys[0]) > std::stod(ys[1]));
 }
 
@@ -195,82 +195,4 @@ TEST_CASE("plot: labels of curves that meet are in the order in which the curves
                                               {"middle", {0, 1, 2}, {0.5, 0.5, 1}}}));
   CHECK(svg.find(">high<") < svg.find(">middle<"));
   CHECK(svg.find(">middle<") < svg.find(">low<"));
-}
-
-namespace {
-
-using Rgb = std::array<double, 3>;
-
-Rgb linear_rgb(const std::string& hex) {
-  Rgb rgb{};
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double signal = std::stoi(hex.substr(2 * c, 2), nullptr, 16) / 255.0;
-    rgb[c] = signal <= 0.04045 ? signal / 12.92 : std::pow((signal + 0.055) / 1.055, 2.4);
-  }
-  return rgb;
-}
-
-// The contrast of WCAG 2.
-double contrast(const Rgb& a, const Rgb& b) {
-  const auto luminance = [](const Rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; };
-  const double bright = std::max(luminance(a), luminance(b));
-  const double dark = std::min(luminance(a), luminance(b));
-  return (bright + 0.05) / (dark + 0.05);
-}
-
-// CIELAB 1976 for D65.
-Rgb lab(const Rgb& c) {
-  const auto f = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116; };
-  const double x = f((0.4124 * c[0] + 0.3576 * c[1] + 0.1805 * c[2]) / 0.9505);
-  const double y = f(0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]);
-  const double z = f((0.0193 * c[0] + 0.1192 * c[1] + 0.9505 * c[2]) / 1.089);
-  return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
-}
-
-// Dichromats' view of linear color (Machado, Oliveira and Fernandes 2009, severity 1).
-using Matrix = std::array<Rgb, 3>;
-constexpr Matrix everyone = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-constexpr Matrix protanope = {{{0.152286, 1.052583, -0.204868},
-                               {0.114503, 0.786281, 0.099216},
-                               {-0.003882, -0.048116, 1.051998}}};
-constexpr Matrix deuteranope = {{{0.367322, 0.860646, -0.227968},
-                                 {0.280085, 0.672501, 0.047413},
-                                 {-0.011820, 0.042940, 0.968881}}};
-constexpr Matrix tritanope = {{{1.255528, -0.076749, -0.178779},
-                               {-0.078411, 0.930809, 0.147602},
-                               {0.004733, 0.691367, 0.303900}}};
-
-Rgb seen(const Matrix& m, const Rgb& c) {
-  Rgb result{};
-  for (std::size_t i = 0; i < 3; ++i)
-    result[i] = std::clamp(m[i][0] * c[0] + m[i][1] * c[1] + m[i][2] * c[2], 0.0, 1.0);
-  return result;
-}
-
-double difference(const Rgb& a, const Rgb& b) {
-  const Rgb p = lab(a);
-  const Rgb q = lab(b);
-  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-}
-
-}  // namespace
-
-TEST_CASE("plot: colors have contrast and stay apart for every kind of color vision") {
-  const std::string style = lt::plot_style();
-  const std::size_t split = style.find("@media");
-  for (const bool is_dark : {false, true}) {
-    const std::string css = is_dark ? style.substr(split) : style.substr(0, split);
-    const Rgb page = linear_rgb(is_dark ? "0d1117" : "ffffff");
-    for (const std::string& hex : all_matches(css, "fill:#([0-9a-f]{6})"))
-      CHECK(contrast(linear_rgb(hex), page) >= 4.5);
-    const auto hexes = all_matches(css, "\\.c[0-9]\\{stroke:#([0-9a-f]{6})");
-    REQUIRE(hexes.size() == 6);
-    for (const Matrix& eye : {everyone, protanope, deuteranope, tritanope})
-      for (std::size_t i = 0; i < hexes.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) {
-          INFO(hexes[i] << " and " << hexes[j]);
-          // 2.3 is a difference that is just noticed, side by side.
-          CHECK(difference(seen(eye, linear_rgb(hexes[i])), seen(eye, linear_rgb(hexes[j]))) > 15);
-        }
-  }
 }
