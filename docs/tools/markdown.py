@@ -109,13 +109,15 @@ class Translator:
         return posixpath.normpath(posixpath.join(base, target))
 
     def href(self, target):
-        """The site's address of a link of the text."""
+        """The site's address of a link of the text; None for a folder, which has no page."""
         if re.match(r"(https?:|mailto:)", target):
             return target
         path, _, anchor = target.partition("#")
         if not path:
             return "#" + anchor
         address = self.links.page_of(self.resolve(path))
+        if address is None and (ROOT / self.resolve(path)).is_dir():
+            return None
         if address is None:
             self.fail(f"links to {target}, which does not exist")
         is_line = re.fullmatch(r"L\d+(-L\d+)?", anchor)
@@ -156,7 +158,10 @@ class Translator:
     def link(self, match):
         text, target = match[1], match[2]
         outside = ' class="outside"' if re.match(r"https?:", target) else ""
-        open_tag = f'<a href="{html.escape(self.href(target))}"{outside}>'
+        address = self.href(target)
+        if address is None:
+            return text
+        open_tag = f'<a href="{html.escape(address)}"{outside}>'
         return self.fragments.html(open_tag) + self.unlinked(text) + self.fragments.html("</a>")
 
     def tag(self, match):
