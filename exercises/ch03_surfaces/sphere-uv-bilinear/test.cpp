@@ -102,8 +102,8 @@ TEST_CASE("to the left of the picture it begins again") {
   lt::diagnose(!(std::isnan(left) && !std::isnan(same)), "negative-modulo",
                "u = -0.25 asks for a texel that is not there and should find what is at 0.75.");
   const double edge = looked_up(row, {0.0, 0.5});
-  // Half a texel before the first middle, the mean of the last and the first texel is (80 + 10) / 2.
-  // With the fraction -0.5 between texels 0 and 1 it is 10 - (20 - 10) / 2.
+  // Half a texel before the first middle, the mean of the last and the first texel is (80 + 10)
+  // / 2. With the fraction -0.5 between texels 0 and 1 it is 10 - (20 - 10) / 2.
   lt::diagnose(!is_near(edge, 5), "truncated-not-floored", gave("u = 0 of 10 20 40 80", edge, 45));
   CHECK(is_near(left, same));
   CHECK(is_near(edge, 45));
@@ -128,7 +128,7 @@ TEST_CASE("a ramp stays a ramp between the texels") {
   const Texture one{1, 1, {7.0}};
   CHECK(is_near(bilinear(one, {-0.3, 12.9}), 7.0));
   std::ostringstream text;
-  text << "half a texel from the left edge of 10 20 40 80 there is "
-       << bilinear(row, {0.0, 0.5}) << ", half of it from the right edge";
+  text << "at the left edge of 10 20 40 80 there is " << bilinear(row, {0.0, 0.5})
+       << ", the mean of the first texel and the last";
   lt::measured(text.str());
 }
