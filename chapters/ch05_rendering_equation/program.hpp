@@ -87,7 +87,7 @@ inline void write_strip(const LitViewOptions& show, const RenderOptions& picture
                                               const std::atomic<bool>& cancel) {
   const TexturedScene scene = matt_room(show.texels);
   const std::vector<NoiseAt> measured =
-      measure_noise(close_up_camera(), estimator_for(show.wrong, scene, show.depth), 48, 36, 256,
+      measure_noise(close_up_camera(), estimator_for(show.wrong, scene, show.depth), 96, 72, 128,
                     range_for(picture), cancel);
   for (const NoiseAt& at : measured)
     std::cout << at.samples << " samples per pixel: noise " << at.noise << " W/(m^2 sr)\n";
