@@ -9,6 +9,7 @@
 #include "ch04_monte_carlo/streams.hpp"
 #include "ch05_rendering_equation/film.hpp"
 #include "common/parallel.hpp"
+#include "common/progress.hpp"
 
 namespace lt {
 
@@ -34,10 +35,11 @@ struct SampleRange {
 // [render]
 /// Adds samples first to last - 1 of every pixel to `film`. The result is the same, bit for bit,
 /// for any number of threads and any tile size.
-/// @param cancel  set by anybody: tiles that have not begun are left out
+/// @param cancel    set by anybody: pixels that have not begun are left out
+/// @param progress  told of every tile's samples, if there is one
 template <RadianceEstimator Estimator>
 void render(Film& film, const Camera& camera, const Estimator& estimate, const SampleRange& range,
-            const std::atomic<bool>& cancel) {
+            const std::atomic<bool>& cancel, Progress* progress = nullptr) {
   const int width = film.width();
   const int height = film.height();
   const auto take = [&](int x, int y, int sample) {
@@ -46,11 +48,14 @@ void render(Film& film, const Camera& camera, const Estimator& estimate, const S
     film.add(x, y, estimate(camera_ray(camera, vec2(x, y) + within, width, height), random));
   };
   const auto work = [&](const Tile& tile) {
-    if (cancel) return;
     for (int y = tile.y0; y < tile.y1; ++y)
-      for (int x = tile.x0; x < tile.x1; ++x)
+      for (int x = tile.x0; x < tile.x1; ++x) {
+        if (cancel) return;  // a pixel gets all of its samples or none
         for (int sample = range.first; sample < range.last; ++sample)
           take(x, y, sample);
+      }
+    const std::int64_t pixels = std::int64_t{tile.x1 - tile.x0} * (tile.y1 - tile.y0);
+    if (progress) progress->advance(pixels * (range.last - range.first));
   };
   for_each_tile(width, height, range.threads, work, range.tile_size);
 }
