@@ -100,6 +100,13 @@ TEST_CASE("plot: a point alone is a dot, points are drawn where asked for") {
   CHECK(curves(dots).empty());
 }
 
+TEST_CASE("plot: a series may wear another's color") {
+  lt::Plot plot = plot_of({{"one", {0, 1}, {0, 1}}, {"two", {0, 1}, {1, 0}}});
+  CHECK(contains(lt::to_svg(plot), "<g class=\"c1\">"));
+  plot.series[1].color_of = 0;
+  CHECK_FALSE(contains(lt::to_svg(plot), "<g class=\"c1\">"));
+}
+
 TEST_CASE("plot: no series and empty series say that there is no data") {
   for (const auto& series : {std::vector<lt::Series>{}, std::vector<lt::Series>{{"empty", {}, {}}}})
     for (const bool is_log : {false, true}) {
