@@ -7,6 +7,7 @@ set(LT_ROOT "${LT_ROOT}" CACHE INTERNAL "the repository's root")
 
 option(LT_TESTS "Build the tests" ON)
 option(LT_WERROR "Treat warnings as errors (CI does)" OFF)
+option(LT_BENCHMARKS "Build the benchmarks (needs Google Benchmark)" OFF)
 option(LT_NATIVE "Compile for this machine only (-march=native), for benchmarks" OFF)
 set(LT_SANITIZE "" CACHE STRING "Sanitizers: address,undefined or thread or empty")
 

@@ -24,7 +24,7 @@ struct Command {
 /// The exercises: learn (with no word), next, list, run, hint, solution, reset, verify, judge.
 [[nodiscard]] std::vector<Command> exercise_commands();
 
-/// The course: render, chapter, figures, snippets, test, site, doctor.
+/// The course: render, chapter, figures, snippets, test, bench, site, doctor.
 [[nodiscard]] std::vector<Command> course_commands();
 
 /// What is proved of the exercises: `verify --all` and its hidden parts.

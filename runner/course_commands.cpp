@@ -1,4 +1,5 @@
-// The commands about the course itself: render, chapter, figures, snippets, test, site, doctor.
+// The commands about the course itself: render, chapter, figures, snippets, test, bench, site,
+// doctor.
 #include <algorithm>
 #include <iostream>
 
@@ -177,6 +178,21 @@ int test_command(const Home& home, Arguments& arguments) {
   return result.succeeded() && report.failures() == 0 ? 0 : 1;
 }
 
+int bench_command(const Home& home, Arguments& arguments) {
+  const std::string seconds = arguments.flag("--quick") ? "0.02" : "0.3";
+  arguments.nothing_more();
+  // A folder of its own: what is built for this machine alone must not end up in a release.
+  const fs::path folder = home.build("bench");
+  configure_folder(
+      home.root, folder,
+      {"-DCMAKE_BUILD_TYPE=Release", "-DLT_BENCHMARKS=ON", "-DLT_NATIVE=ON", "-DLT_TESTS=OFF"});
+  build(folder, {"course_benchmarks"}, "building the benchmarks");
+  const fs::path program = built_program(folder / "tests" / "benchmarks", "course_benchmarks");
+  const ProcessResult result = run_visibly({program.string(), "--benchmark_min_time=" + seconds});
+  if (!result.succeeded()) throw OutputError("the benchmarks did not run: see above");
+  return 0;
+}
+
 int site_command(const Home& home, Arguments& arguments) {
   const bool wants_server = arguments.flag("--serve");
   const int port = arguments.number("--port", 8000, 0, 65535);
@@ -215,6 +231,10 @@ std::vector<Command> course_commands() {
        "--sanitize: under the address and undefined-behaviour sanitizers. What follows -- goes to "
        "ctest: ./learn test -- -L ch02_ray_casting",
        test_command},
+      {"bench", course, "[--quick]", "measure how fast the course is on this machine",
+       "Needs Google Benchmark, and a machine that does nothing else. Builds with -O3 "
+       "-march=native in build/bench. --quick measures less long.",
+       bench_command},
       {"site", course, "[--serve] [--port N]", "build the site",
        "--serve shows it at http://127.0.0.1:8000/ (--port another).", site_command},
       {"doctor", course, "", "say what is missing and how to get it", "", doctor_command},

@@ -34,8 +34,9 @@ TEST_CASE("learn: help names every command and ends well") {
     INFO(shown(words));
     CHECK(outcome.exit_code == 0);
     CHECK(outcome.err.empty());
-    for (const std::string name : {"render", "chapter", "test", "site", "doctor", "figures", "next",
-                                   "list", "run", "hint", "solution", "reset", "verify"}) {
+    for (const std::string name :
+         {"render", "chapter", "test", "bench", "site", "doctor", "figures", "next", "list", "run",
+          "hint", "solution", "reset", "verify"}) {
       CHECK(outcome.out.find("./learn " + name) != std::string::npos);
     }
     CHECK(outcome.out.find("study") == std::string::npos);  // comes with chapter 14
@@ -55,6 +56,8 @@ TEST_CASE("learn: bad input ends with one line - exit code 2 - and no file") {
       {"chapter", ""},
       {"chapter", "99999999999999999999"},
       {"test", "--quick"},
+      {"bench", "--fast"},
+      {"bench", "rays"},
       {"figures", "99"},
       {"figures", "1", "2"},
       {"snippets", "--chekc"},

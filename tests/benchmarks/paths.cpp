@@ -1,0 +1,65 @@
+// Camera paths through the room at depth 8, and pictures by one and two threads.
+#include "tests/benchmarks/registered.hpp"
+#include "tests/benchmarks/room_paths.hpp"
+
+namespace lt::bench {
+namespace {
+
+constexpr auto uniform = [](const Surface& surface) { return uniform_lambert_at(surface); };
+constexpr auto cosine = [](const Surface& surface) { return cosine_lambert_at(surface); };
+
+constexpr int paths = width * height;  // a turn: one for each pixel
+
+template <class Scene, class Model>
+void trace(benchmark::State& state, const Scene& scene, const TexturedScene& list,
+           const Model& bsdf_at) {
+  for (auto _ : state)
+    for (int i = 0; i < paths; ++i)
+      benchmark::DoNotOptimize(room_path(scene, bsdf_at, i));
+  report(state, paths, "paths");
+  const auto queries = static_cast<double>(rays_of(list, bsdf_at, paths).size());
+  state.counters["queries"] = benchmark::Counter(queries * static_cast<double>(state.iterations()),
+                                                 benchmark::Counter::kIsRate);
+}
+
+template <class Model>
+void add(const std::string& name, bool is_packed, int texels, const Model& bsdf_at) {
+  add_benchmark(name, [=](benchmark::State& state) {
+    const TexturedScene list = texels > 0 ? matt_room(texels) : three_sphere_room_plain();
+    if (is_packed) {
+      trace(state, PackedScene(list), list, bsdf_at);
+    } else {
+      trace(state, list, list, bsdf_at);
+    }
+  });
+}
+
+void add_picture(const std::string& name, int threads) {
+  const auto measure = [=](benchmark::State& state) {
+    const TexturedScene list = three_sphere_room_plain();
+    const PackedScene packed(list);
+    const auto estimate = [&](const Ray& ray, Pcg32& random) {
+      return radiance_recursive(packed, cosine, ray, depth, random);
+    };
+    const std::atomic<bool> never{false};
+    Film film(4 * width, 4 * height);
+    for (auto _ : state)
+      render(film, room_camera_far(), estimate, {.last = 4, .threads = threads}, never);
+    report(state, 4 * 16 * paths, "paths");
+  };
+  add_benchmark(name, measure)->UseRealTime();
+}
+
+}  // namespace
+
+void add_paths() {
+  add("paths/plain - uniform - list", false, 0, uniform);
+  add("paths/plain - cosine - list", false, 0, cosine);
+  add("paths/plain - cosine - packed", true, 0, cosine);
+  add("paths/textured 64 - cosine - packed", true, 64, cosine);
+  add("paths/textured 256 - cosine - packed", true, 256, cosine);
+  add_picture("picture by the clock/1 thread", 1);
+  add_picture("picture by the clock/2 threads", 2);
+}
+
+}  // namespace lt::bench
