@@ -35,11 +35,12 @@ struct Recorder {
 /// Path `i` of the far camera's picture: pixel after pixel, `i` modulo their number.
 template <Traceable Scene, Scattering Model>
 [[nodiscard]] Rgb room_path(const Scene& scene, const Model& bsdf_at, int i) {
+  static const Camera camera = room_camera_far();
   const int x = i % width;
   const int y = i / width % height;
   Pcg32 random = stream_for(1, x, y, i / (width * height));
   const vec2 within = random.next_vec2();
-  const Ray ray = camera_ray(room_camera_far(), vec2(x, y) + within, width, height);
+  const Ray ray = camera_ray(camera, vec2(x, y) + within, width, height);
   return radiance_recursive(scene, bsdf_at, ray, depth, random);
 }
 
