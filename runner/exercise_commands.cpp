@@ -78,6 +78,8 @@ int check_and_tell(const Lesson& lesson, const Exercise& exercise, bool wants_me
       lesson.workspace().open(exercise, lesson.home().workspace) == Opened::starter_changed;
   if (can_merge) {
     std::cout << '\n' << wrapped(merge_exercise(lesson, exercise), terminal_columns(), 2);
+  } else if (wants_merge) {
+    std::cout << "\n  There is nothing to merge: your file has today's starter in it.\n";
   } else {
     tell(opening, exercise);
   }

@@ -1,6 +1,7 @@
 #include "runner/verdict.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <csignal>
 #include <regex>
@@ -66,6 +67,8 @@ void split_failure(std::string text, FailedCheck& check) {
   }
   if (std::regex_search(text, match, messages)) {
     check.message = match[1];
+    const bool is_one = match.str().starts_with(" with 1 ") && check.message.size() >= 2;
+    if (is_one) check.message = check.message.substr(1, check.message.size() - 2);  // its quotes
     text = match.prefix();
   }
   const std::size_t values = text.find(" for: ");
@@ -74,18 +77,37 @@ void split_failure(std::string text, FailedCheck& check) {
   if (check.expression == "explicitly") check.expression.clear();
 }
 
+// The first failure in Catch2's compact report, on one line: Catch2 breaks long values into
+// several.
+std::optional<std::string> first_failure(std::string_view report) {
+  static const std::regex start(R"(^.*?[:(]\d{1,7}\)?: failed: .*$)");
+  static const std::regex end(R"(^(?:.*?[:(]\d{1,7}\)?: (?:failed|passed): .*|Failed \d.*|)$)");
+  constexpr std::size_t longest = 2000;  // std::regex calls itself once for each character
+  std::optional<std::string> failure;
+  for (std::string line : split_lines(report)) {
+    line.resize(std::min(line.size(), longest));
+    if (!failure) {
+      if (std::regex_match(line, start)) failure = line;
+    } else if (std::regex_match(line, end)) {
+      break;
+    } else {
+      *failure += " " + trimmed(line);
+    }
+  }
+  if (failure) failure->resize(std::min(failure->size(), longest));
+  return failure;
+}
+
 std::optional<FailedCheck> first_failed_check(std::string_view report, std::string_view test_cpp) {
   static const std::regex pattern(R"(^.*?[:(](\d{1,7})\)?: failed: (.*)$)");
-  for (const std::string& line : split_lines(report)) {
-    std::smatch match;
-    if (!std::regex_match(line, match, pattern)) continue;
-    FailedCheck check;
-    check.line = std::stoi(match[1]);
-    check.sentence = test_case_above(split_lines(test_cpp), check.line);
-    split_failure(match[2], check);
-    return check;
-  }
-  return std::nullopt;
+  const std::optional<std::string> failure = first_failure(report);
+  std::smatch match;
+  if (!failure || !std::regex_match(*failure, match, pattern)) return std::nullopt;
+  FailedCheck check;
+  check.line = std::stoi(match[1]);
+  check.sentence = test_case_above(split_lines(test_cpp), check.line);
+  split_failure(match[2], check);
+  return check;
 }
 
 }  // namespace
@@ -156,15 +178,34 @@ Verdict verdict_on_build(const BuildError& error) {
 
 namespace {
 
-// libstdc++ says which assertion failed; its condition is what a person wants to know.
-void add_assertion(const TestOutput& output, Verdict& verdict) {
-  for (const std::string& line : output.printed) {
-    if (line.find("Assertion") != std::string::npos ||
-        line.find("assertion") != std::string::npos) {
-      verdict.details.push_back(line);
-      return;
-    }
-  }
+// A line of the C++ library that says which of its assertions failed, in words. It names the whole
+// type before it comes to the point: "FILE:LINE: TYPE::operator[](...) [with ...]: Assertion '__n <
+// this->size()' failed."
+std::string assertion_in_words(const std::string& line) {
+  const std::size_t start = std::min(line.find("Assertion "), line.find("assertion "));
+  const std::string assertion = line.substr(start, 200);
+  const std::size_t type = line.find("std::");
+  if (type > start) return assertion;
+  const std::string name = line.substr(type, line.find_first_of("<: ", type + 5) - type);
+  return assertion.find("__n < this->size()") != std::string::npos
+             ? "an index into a " + name + " is not less than its size"
+             : name + ": " + assertion;
+}
+
+// Moves that line, if there is one, from what was printed to the verdict's details.
+void add_assertion(Verdict& verdict) {
+  const auto found = std::find_if(verdict.printed.begin(), verdict.printed.end(), [](auto& line) {
+    return line.find("Assertion ") != std::string::npos ||
+           line.find("assertion ") != std::string::npos;
+  });
+  if (found == verdict.printed.end()) return;
+  verdict.details.push_back(assertion_in_words(*found));
+  verdict.printed.erase(found);
+}
+
+std::string sentence(std::string text) {
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text + ".";
 }
 
 std::string in_check(const TestOutput& output) {
@@ -206,8 +247,8 @@ Verdict verdict_on_run(const Exercise& exercise, const ProcessResult& result,
                    in_check(output) + ". Is there a loop that never ends?";
   } else if (result.signal != 0) {
     verdict.says =
-        "The program crashed" + in_check(output) + ": " + signal_in_words(result.signal) + ".";
-    add_assertion(output, verdict);
+        "The program crashed" + in_check(output) + ". " + sentence(signal_in_words(result.signal));
+    add_assertion(verdict);
   } else if (output.failed_check) {
     describe(*output.failed_check, verdict);
   } else if (result.succeeded()) {
