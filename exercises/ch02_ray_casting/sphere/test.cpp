@@ -37,18 +37,7 @@ std::ostream& operator<<(std::ostream& out, const Crossing& crossing) {
   return out << (crossing.t ? text.str() : "no hit");
 }
 
-// What a check prints: one line, with all that belongs to it.
-struct Comparison {
-  bool is_equal;
-  std::string text;
-  explicit operator bool() const { return is_equal; }
-};
-
-std::ostream& operator<<(std::ostream& out, const Comparison& comparison) {
-  return out << comparison.text;
-}
-
-Comparison same(const Crossing& seen, const Crossing& expected) {
+lt::Comparison same(const Crossing& seen, const Crossing& expected) {
   std::ostringstream text;
   text << seen << " instead of " << expected;
   return {seen == expected, text.str()};
@@ -86,13 +75,6 @@ bool is_right_from_outside() {
 // A ball of 1 m, passed at `aside` from its centre, straight up and `distance` away.
 Crossing straight_up(float distance, float aside) {
   return seen({{0, distance, 0}, 1}, {{aside, 0, 0}, {0, 1, 0}});
-}
-
-dvec3 perpendicular_to(dvec3 d, lt::TestRandom& random) {
-  for (;;) {
-    const dvec3 n = glm::cross(d, random.direction());
-    if (glm::length(n) > 0.1) return glm::normalize(n);
-  }
 }
 
 }  // namespace
@@ -250,7 +232,7 @@ TEST_CASE("rays that pass a random ball miss it") {
       const double radius = std::pow(10.0, random.uniform(-2, 2));
       const dvec3 center = radius * random.uniform(0, 5) * random.direction();
       const dvec3 direction = random.direction();
-      const dvec3 aside = perpendicular_to(direction, random);
+      const dvec3 aside = glm::normalize(glm::cross(direction, random.direction()));
       const double distance = random.uniform(1.02, 4);
       const dvec3 origin = center + radius * (distance * aside - random.uniform(0, 10) * direction);
       INFO("ball " << i << ", passed at " << distance << " radii from its centre");
