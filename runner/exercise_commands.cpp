@@ -196,7 +196,7 @@ std::vector<Command> exercise_commands() {
       "ID is an exercise's number or name: 02.2 or sphere. Without it: the one "
       "that is open.";
   return {
-      {"", group, "", "open the current exercise and watch your file",
+      {"", group, "", "open the current exercise and watch it",
        "Keys: n next, h hint, s solution, l list, r reset, q quit. Without a terminal the exercise "
        "is checked once.",
        learn_command},

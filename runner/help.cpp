@@ -9,9 +9,12 @@ namespace lt {
 
 namespace {
 
+// As one types it.
 std::string usage(const Command& command) {
-  const std::string name = command.name.empty() ? "(nothing)" : command.name;
-  return command.usage.empty() ? name : name + " " + command.usage;
+  std::string line = "./learn";
+  for (const std::string& part : {command.name, command.usage})
+    if (!part.empty()) line += " " + part;
+  return line;
 }
 
 // In the order in which a newcomer wants them.
@@ -25,7 +28,7 @@ std::string help_text(const std::vector<Command>& commands) {
     text += "\n" + ink::bold(group) + "\n";
     for (const Command& command : commands) {
       if (command.group != group) continue;
-      text += "  " + ink::cyan(padded(usage(command), 28)) + "  " + command.summary + "\n";
+      text += "  " + ink::cyan(padded(usage(command), 36)) + "  " + command.summary + "\n";
     }
   }
   return text + "\n./learn help COMMAND tells more of one of them.\n";
@@ -33,9 +36,7 @@ std::string help_text(const std::vector<Command>& commands) {
 
 std::string help_text(const Command& command) {
   const int width = terminal_columns();
-  std::string text = "usage: ./learn";
-  if (!command.name.empty()) text += " " + usage(command);
-  text += "\n\n" + wrapped(command.summary, width, 2);
+  std::string text = "usage: " + usage(command) + "\n\n" + wrapped(command.summary, width, 2);
   if (!command.details.empty()) text += "\n" + wrapped(command.details, width, 2);
   return text;
 }

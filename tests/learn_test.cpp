@@ -37,7 +37,7 @@ TEST_CASE("learn: help names every command and ends well") {
     for (const std::string name : {"render", "chapter", "test", "site", "doctor", "figures", "next",
                                    "list", "run", "hint", "solution", "reset", "verify"}) {
       INFO(name);
-      CHECK(outcome.out.find("\n  " + name + " ") != std::string::npos);  // a line of the list
+      CHECK(outcome.out.find("\n  ./learn " + name + " ") != std::string::npos);  // one line each
     }
     CHECK(outcome.out.find("study") == std::string::npos);  // comes with chapter 14
   }

@@ -4,7 +4,6 @@
 #include <sstream>
 #include <string>
 
-#include "common/testkit/close_to.hpp"
 #include "common/testkit/exercise.hpp"
 
 namespace {
