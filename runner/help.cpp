@@ -1,6 +1,6 @@
 #include "runner/help.hpp"
 
-#include <algorithm>
+#include <array>
 
 #include "runner/terminal.hpp"
 #include "runner/text.hpp"
@@ -14,20 +14,14 @@ std::string usage(const Command& command) {
   return command.usage.empty() ? name : name + " " + command.usage;
 }
 
-std::vector<std::string> groups(const std::vector<Command>& commands) {
-  std::vector<std::string> names;
-  for (const Command& command : commands) {
-    const bool is_new = std::find(names.begin(), names.end(), command.group) == names.end();
-    if (is_new && !command.group.empty()) names.push_back(command.group);
-  }
-  return names;
-}
+// In the order in which a newcomer wants them.
+constexpr std::array groups = {"Exercises", "The course", "Upkeep"};
 
 }  // namespace
 
 std::string help_text(const std::vector<Command>& commands) {
   std::string text = "usage: ./learn [COMMAND]\n";
-  for (const std::string& group : groups(commands)) {
+  for (const std::string group : groups) {
     text += "\n" + ink::bold(group) + "\n";
     for (const Command& command : commands) {
       if (command.group != group) continue;

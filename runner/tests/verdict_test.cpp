@@ -40,8 +40,8 @@ ProcessResult failed(const std::string& output) {
 
 TEST_CASE("verdict: the first TODO is named with its line") {
   const Verdict v =
-      verdict(failed("[not-written] /home/a b/my/02.2-sphere.cpp:12: find the root\n"
-                     "[not-written] /home/a b/my/02.2-sphere.cpp:20: turn the normal\n"));
+      verdict(failed("[not-written] /learner/a b/my/02.2-sphere.cpp:12: find the root\n"
+                     "[not-written] /learner/a b/my/02.2-sphere.cpp:20: turn the normal\n"));
   CHECK(v.kind == VerdictKind::not_started);
   CHECK(v.line == 12);
   CHECK(v.says == "find the root");
@@ -134,12 +134,12 @@ TEST_CASE("verdict: output that means nothing to us is no crash of ours") {
 TEST_CASE("build error: the first one in the learner's file, with its line of code") {
   const std::string gcc =
       "In file included from api.hpp:3,\n"
-      "/home/x/my/02.2-sphere.cpp: In function 'double f(double)':\n"
-      "/home/x/my/02.2-sphere.cpp:7:10: warning: unused variable 'a' [-Wunused-variable]\n"
-      "/home/x/my/02.2-sphere.cpp:8:17: error: 'y' was not declared in this scope\n"
+      "/learner/x/my/02.2-sphere.cpp: In function 'double f(double)':\n"
+      "/learner/x/my/02.2-sphere.cpp:7:10: warning: unused variable 'a' [-Wunused-variable]\n"
+      "/learner/x/my/02.2-sphere.cpp:8:17: error: 'y' was not declared in this scope\n"
       "    8 |   return x / 2 + y;\n"
       "      |                  ^\n"
-      "/home/x/my/02.2-sphere.cpp:9:1: error: expected '}' at end of input\n";
+      "/learner/x/my/02.2-sphere.cpp:9:1: error: expected '}' at end of input\n";
   const auto error = first_build_error(gcc, "my/02.2-sphere.cpp");
   REQUIRE(error);
   CHECK(error->line == 8);
@@ -167,7 +167,7 @@ TEST_CASE("build error: clang and MSVC are read as well") {
 TEST_CASE("build error: an error inside a library is told at the learner's line") {
   const auto error = first_build_error(
       "/usr/include/glm/x.hpp: In instantiation of 'float glm::length(float)':\n"
-      "/home/x/my/02.2-sphere.cpp:14:21:   required from here\n"
+      "/learner/x/my/02.2-sphere.cpp:14:21:   required from here\n"
       "/usr/include/glm/x.hpp:88:3: error: static assertion failed: needs a vector\n",
       "my/02.2-sphere.cpp");
   REQUIRE(error);
