@@ -53,14 +53,20 @@ class Drawing {
   [[nodiscard]] std::string svg() const {
     std::string curves;
     for (std::size_t s = 0; s < plot_.series.size(); ++s)
-      curves += "<g class=\"" + curve_class(s) + "\">\n" + curve(plot_.series[s]) + "</g>\n";
+      curves += "<g class=\"" + class_of(s) + "\">\n" + curve(plot_.series[s]) + "</g>\n";
     std::string labels;
     for (const EndLabel& label : labels_)
-      labels += "<g class=\"" + curve_class(label.series) + "\">\n" + end_label(label) + "</g>\n";
+      labels += "<g class=\"" + class_of(label.series) + "\">\n" + end_label(label) + "</g>\n";
     return head() + plot_style() + grid() + titles() + tick_texts() + curves + labels + "</svg>\n";
   }
 
  private:
+  [[nodiscard]] std::string class_of(std::size_t series) const {
+    std::size_t color = 0;
+    for (std::size_t s = 1; s <= series; ++s)
+      color += !plot_.series[s].same_color;
+    return curve_class(color);
+  }
   [[nodiscard]] bool is_visible(const Series& series, std::size_t i) const {
     return i < series.x.size() && is_drawable(series.x[i], plot_.log_x) &&
            is_drawable(series.y[i], plot_.log_y);

@@ -14,6 +14,7 @@ struct Series {
   std::vector<double> y;  ///< non-finite values leave a gap
   bool show_line = true;
   bool show_points = false;
+  bool same_color = false;  ///< as the series before it: measured dots and their fitted line
 };
 
 /// A plot with its axes.

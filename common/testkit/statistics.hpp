@@ -65,8 +65,8 @@ struct KolmogorovSmirnov {
 /// Upper tail of the chi-square distribution, Q(dof/2, x/2).
 [[nodiscard]] double chi_square_tail(double x, int degrees_of_freedom);
 
-/// Adaptive Gauss-Kronrod quadrature of f over [a, b] in double precision. It starts with 120 values
-/// of f: a peak much narrower than 1/100 of the interval may lie between them.
+/// Adaptive Gauss-Kronrod quadrature of f over [a, b] in double precision. It starts with 120
+/// values of f: a peak much narrower than 1/100 of the interval may lie between them.
 /// @param tolerance  absolute error aimed at; where f is too noisy for it (it may compute in
 /// float),
 ///                   the error is that of f
