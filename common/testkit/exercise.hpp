@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstdint>
-#include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,18 +23,6 @@ namespace lt {
 /// @param tag   as in exercise.json, e.g. "gamma22"
 /// @param seen  what the learner's code gave and what it should have given, in numbers
 void diagnose(bool is_right, std::string_view tag, const std::string& seen);
-
-/// A condition with the words for it: CHECK(Comparison) prints one line, which the runner shows
-/// whole. Of a long "a == b" Catch2 makes three lines, and the learner would not see b.
-struct Comparison {
-  bool is_equal;
-  std::string text;  ///< what was seen and what was expected
-  explicit operator bool() const { return is_equal; }
-};
-
-inline std::ostream& operator<<(std::ostream& out, const Comparison& comparison) {
-  return out << comparison.text;
-}
 
 /// Prints "[measured] text": something true and interesting that the checked code showed.
 void measured(const std::string& text);

@@ -1,7 +1,6 @@
 #include "api.hpp"
 
 #include <cmath>
-#include <ostream>
 #include <sstream>
 #include <string>
 
@@ -19,16 +18,19 @@ using glm::dvec3;
 using glm::ivec2;
 using glm::vec2;
 using glm::vec3;
-
-bool is_near(double a, double b, double tolerance = 1e-4) {
-  return std::abs(a - b) <= tolerance;  // false for NaN
-}
+using lt::close_to;
 
 // Aiming between corners of the window adds numbers of up to 8 here (half its width 2, half its
 // height 6), in some five steps that each round by 2^-24 of that: 2.4e-6. Four times as much is
 // room for other orders.
-bool is_near(dvec3 a, dvec3 b) {
-  return glm::distance(a, b) <= 1e-5;
+constexpr double tolerance = 1e-5;
+
+lt::CloseTo<dvec3> near(dvec3 v) {
+  return close_to(v, tolerance);
+}
+
+lt::CloseTo<double> near(double value) {
+  return close_to(value, tolerance);
 }
 
 std::string shown(dvec3 v) {
@@ -44,23 +46,6 @@ std::string shown(double value) {
 template <class T>
 std::string gave(const std::string& what, T value, T expected) {
   return what + " is " + shown(value) + " and should be " + shown(expected) + ".";
-}
-
-lt::Comparison same(dvec3 seen, dvec3 expected) {
-  return {is_near(seen, expected), shown(seen) + " instead of " + shown(expected)};
-}
-
-// Whether a camera's axes are unit, perpendicular and left-handed as the world's.
-lt::Comparison is_sound(const Camera& camera) {
-  const dmat3 axes(camera.right, camera.up, camera.forward);
-  const dmat3 off = glm::transpose(axes) * axes - dmat3(1);  // all products of two axes
-  double worst = 0.0;
-  for (int i = 0; i < 9; ++i)
-    worst = std::fmax(worst, std::abs(off[i / 3][i % 3]));
-  std::ostringstream text;
-  text << "a length or a right angle is off by " << worst << ", the determinant is "
-       << glm::determinant(axes);
-  return {worst < 1e-5 && glm::determinant(axes) > 0, text.str()};
 }
 
 constexpr dvec3 x_axis(1, 0, 0), y_axis(0, 1, 0), z_axis(0, 0, 1);
@@ -87,13 +72,13 @@ dvec2 step() {
 TEST_CASE("a camera that looks along +z has the axes of the world") {
   const Camera camera = look_at({1, 2, 3}, {1, 2, 8}, y_axis, 1.0f);
   const dvec3 right = camera.right, up = camera.up, forward = camera.forward;
-  lt::diagnose(!is_near(forward, -z_axis), "looks-away",
+  lt::diagnose(!(forward == near(-z_axis)), "looks-away",
                gave("For a target along +z, forward", forward, z_axis));
-  lt::diagnose(!(is_near(forward, z_axis) && is_near(up, y_axis) && is_near(right, -x_axis)),
+  lt::diagnose(!(forward == near(z_axis) && up == near(y_axis) && right == near(-x_axis)),
                "mirrored", gave("For a target along +z, right", right, x_axis));
-  CHECK(same(forward, z_axis));
-  CHECK(same(right, x_axis));
-  CHECK(same(up, y_axis));
+  CHECK(dvec3(camera.forward) == near(z_axis));
+  CHECK(dvec3(camera.right) == near(x_axis));
+  CHECK(dvec3(camera.up) == near(y_axis));
   CHECK(camera.position == vec3(1, 2, 3));
   CHECK(camera.field_of_view == 1.0f);
 }
@@ -102,18 +87,17 @@ TEST_CASE("a camera that looks down keeps its horizon level and its axes perpend
   // 3 down and 4 ahead: the line of sight is 5 long.
   const Camera camera = look_at({0, 3, 0}, {0, 0, 4}, y_axis, 1.0f);
   const dvec3 right = camera.right, up = camera.up, forward = camera.forward;
-  const bool is_forward_right = is_near(forward, dvec3(0, -0.6, 0.8));
+  const bool is_forward_right = forward == near(dvec3(0, -0.6, 0.8));
   const std::string what = "Looking down from (0, 3, 0) to (0, 0, 4), ";
-  lt::diagnose(!(is_forward_right && is_near(up, y_axis)), "world-up-kept",
+  lt::diagnose(!(is_forward_right && up == near(y_axis)), "world-up-kept",
                gave(what + "up", up, dvec3(0, 0.8, 0.6)));
   // The cosine of the slope is 0.8, which is what y x forward is long.
   const double shortest = std::fmin(glm::length(right), glm::length(up));
-  lt::diagnose(!(is_forward_right && is_near(shortest, 0.8)), "axis-not-unit",
+  lt::diagnose(!(is_forward_right && shortest == near(0.8)), "axis-not-unit",
                gave(what + "the length of an axis", shortest, 1.0));
-  CHECK(same(forward, dvec3(0, -0.6, 0.8)));
-  CHECK(same(right, x_axis));
-  CHECK(same(up, dvec3(0, 0.8, 0.6)));
-  CHECK(is_sound(camera));
+  CHECK(dvec3(camera.forward) == near(dvec3(0, -0.6, 0.8)));
+  CHECK(dvec3(camera.right) == near(x_axis));
+  CHECK(dvec3(camera.up) == near(dvec3(0, 0.8, 0.6)));
 }
 
 TEST_CASE("rays leave forward, in directions that do not depend on where the camera stands") {
@@ -121,7 +105,7 @@ TEST_CASE("rays leave forward, in directions that do not depend on where the cam
   Camera moved = straight;
   moved.position = {1, 2, 3};
   const Ray there = camera_ray(moved, {1, 1}, {0.5f, 0.5f}, 8, 5);
-  lt::diagnose(is_near(there.direction, here), "position-added",
+  lt::diagnose(dvec3(there.direction) == near(here), "position-added",
                "Through one and the same pixel, the direction is " + shown(here) +
                    " for a camera at 0 and " + shown(there.direction) + " for one at (1, 2, 3).");
   CHECK(there.origin == moved.position);
@@ -143,35 +127,35 @@ TEST_CASE("the field of view reaches from the left edge to the right, and pixels
   // angle from top to bottom makes 5 rows share it.
   const double across = step().x;
   const std::string what = "In a picture of 8 x 5, at distance 1, a pixel's width";
-  lt::diagnose(!is_near(across, 1.0 / 3), "field-not-halved", gave(what, across, 0.125));
-  lt::diagnose(!is_near(across, 0.2), "vertical-field", gave(what, across, 0.125));
+  lt::diagnose(!(across == near(1.0 / 3)), "field-not-halved", gave(what, across, 0.125));
+  lt::diagnose(!(across == near(0.2)), "vertical-field", gave(what, across, 0.125));
   const double ratio = std::abs(step().y) / across;
   // 5 rows share the same window as 8 columns.
-  lt::diagnose(!is_near(ratio, 8.0 / 5), "aspect-forgotten",
+  lt::diagnose(!(ratio == near(8.0 / 5)), "aspect-forgotten",
                gave("In a picture of 8 x 5, a pixel's height over its width", ratio, 1.0));
-  CHECK(across == Approx(0.125).epsilon(1e-5));
-  CHECK(ratio == Approx(1).epsilon(1e-5));
+  CHECK(across == near(0.125));
+  CHECK(ratio == near(1.0));
 }
 
 TEST_CASE("the offset says where in the pixel") {
   const double middle = 4 + on_window({1, 2}).x / step().x;  // from the left edge
   const dvec2 other = on_window({1, 2}, {0.25f, 0.75f});
   const bool is_ignored = glm::distance(other, on_window({1, 2})) < 1e-6;
-  const bool is_step_right = is_near(step().x, 0.125);
+  const bool is_step_right = step().x == near(0.125);
   const std::string what = "For pixel (1, 2) and offset (0.5, 0.5), x in pixels from the left edge";
-  lt::diagnose(!(is_step_right && is_ignored && is_near(middle, 1)), "pixel-corner",
+  lt::diagnose(!(is_step_right && is_ignored && middle == near(1.0)), "pixel-corner",
                gave(what, middle, 1.5));
-  lt::diagnose(!(is_step_right && !is_ignored && is_near(middle, 2)), "half-added-twice",
+  lt::diagnose(!(is_step_right && !is_ignored && middle == near(2.0)), "half-added-twice",
                gave(what, middle, 1.5));
   const double middle_row = on_window({1, 2}).y;
-  lt::diagnose(!(is_step_right && is_near(middle, 1.5) && is_near(middle_row, -0.0625)),
+  lt::diagnose(!(is_step_right && middle == near(1.5) && middle_row == near(-0.0625)),
                "whole-number-half",
                gave("In a picture of 5 rows, y at the middle of row 2", middle_row, 0.0));
-  CHECK(middle == Approx(1.5).epsilon(1e-5));
-  CHECK(middle_row == Approx(0).margin(1e-5));
+  CHECK(middle == near(1.5));
+  CHECK(middle_row == near(0.0));
   INFO("pixel (1, 2), offset (0.25, 0.75), of 8 x 5");
-  CHECK(other.x == Approx((1.25 - 4) / 8).margin(1e-5));
-  CHECK(other.y == Approx((2.5 - 2.75) / 8).margin(1e-5));
+  CHECK(other.x == near((1.25 - 4) / 8));
+  CHECK(other.y == near((2.5 - 2.75) / 8));
 }
 
 TEST_CASE("the four corners of a picture of 900 x 720 at 72 degrees") {
@@ -181,17 +165,17 @@ TEST_CASE("the four corners of a picture of 900 x 720 at 72 degrees") {
   Camera camera = straight;
   camera.field_of_view = static_cast<float>(0.4 * std::acos(-1.0));
   const auto ray = [&](ivec2 pixel, vec2 offset) {
-    return camera_ray(camera, pixel, offset, 900, 720).direction;
+    return dvec3(camera_ray(camera, pixel, offset, 900, 720).direction);
   };
   // The window's corner is 1.366 from the pinhole.
   const dvec3 corner(-half_width, half_height, 1);
-  const double length = glm::length(dvec3(ray({0, 0}, {0, 0})));
-  lt::diagnose(!is_near(length, glm::length(corner)), "direction-not-unit",
+  const double length = glm::length(ray({0, 0}, {0, 0}));
+  lt::diagnose(!(length == near(glm::length(corner))), "direction-not-unit",
                gave("To the corner of the picture, the direction's length", length, 1.0));
-  CHECK(same(ray({0, 0}, {0, 0}), glm::normalize(corner)));
-  CHECK(same(ray({899, 0}, {1, 0}), glm::normalize(dvec3{half_width, half_height, 1})));
-  CHECK(same(ray({0, 719}, {0, 1}), glm::normalize(dvec3{-half_width, -half_height, 1})));
-  CHECK(same(ray({899, 719}, {1, 1}), glm::normalize(dvec3{half_width, -half_height, 1})));
+  CHECK(ray({0, 0}, {0, 0}) == near(glm::normalize(corner)));
+  CHECK(ray({899, 0}, {1, 0}) == near(glm::normalize(dvec3{half_width, half_height, 1})));
+  CHECK(ray({0, 719}, {0, 1}) == near(glm::normalize(dvec3{-half_width, -half_height, 1})));
+  CHECK(ray({899, 719}, {1, 1}) == near(glm::normalize(dvec3{half_width, -half_height, 1})));
   const double aside = glm::degrees(std::acos(ray({0, 0}, {0, 0}).z));
   lt::measured("at 72 degrees from left to right, the corners look " +
                std::to_string(std::lround(aside)) + " degrees aside");
@@ -205,7 +189,7 @@ TEST_CASE("the middle of the picture is the forward axis, at every size") {
     const Ray ray = camera_ray(slanted, pixel, offset, size.x, size.y);
     INFO("picture of " << size.x << " x " << size.y);
     CHECK(ray.origin == slanted.position);
-    CHECK(same(ray.direction, slanted.forward));
+    CHECK(dvec3(ray.direction) == near(slanted.forward));
   }
 }
 
@@ -222,10 +206,13 @@ TEST_CASE("random cameras see their target, stand upright and aim through every 
       const Camera camera = look_at(position, target, up, angle);
       const dmat3 axes(camera.right, camera.up, camera.forward);
       INFO("position " << shown(position) << ", target " << shown(target) << ", up " << shown(up));
-      REQUIRE(is_sound(camera));
-      REQUIRE(same(camera.forward, line_of_sight));
-      REQUIRE(std::abs(glm::dot(dvec3(up), axes[0])) < 1e-5);  // up leans neither left nor right
-      REQUIRE(glm::dot(dvec3(up), axes[1]) > 0);
+      REQUIRE(axes[2] == near(line_of_sight));
+      REQUIRE(glm::length(axes[0]) == near(1.0));
+      REQUIRE(glm::dot(axes[0], axes[2]) == near(0.0));
+      REQUIRE(glm::dot(axes[0], dvec3(up)) == near(0.0));  // up leans neither left nor right
+      REQUIRE(axes[1] == near(glm::cross(axes[2], axes[0])));
+      REQUIRE(glm::determinant(axes) == near(1.0));
+      REQUIRE(glm::dot(axes[1], dvec3(up)) > 0);
 
       const int width = 3 + static_cast<int>(random.uniform(0, 1000));
       const int height = static_cast<int>(random.uniform(1.0 / 3, 3) * width);
@@ -240,7 +227,7 @@ TEST_CASE("random cameras see their target, stand upright and aim through every 
       INFO("pixel (" << pixel.x << ", " << pixel.y << ") + " << shown(dvec3(offset, 0)) << " of "
                      << width << " x " << height << ", field of view " << angle);
       REQUIRE(ray.origin == position);
-      REQUIRE(same(ray.direction, glm::normalize(axes * aim)));
+      REQUIRE(dvec3(ray.direction) == near(glm::normalize(axes * aim)));
     }
   }
 }
