@@ -62,6 +62,8 @@ struct NoiseLaw {
 }
 // [fit-noise]
 
+/// The measured noise, and the line through it.
+/// @param measured  two at least
 [[nodiscard]] inline Plot noise_plot(const std::vector<NoiseAt>& measured) {
   const NoiseLaw law = fit_noise(measured);
   char label[40];
