@@ -1,0 +1,58 @@
+/// @file
+/// Chapter 5's program: the three-sphere room, lit for the first time.
+
+#include <iostream>
+
+#include "ch05_rendering_equation/program.hpp"
+#include "common/interrupt.hpp"
+
+namespace {
+
+struct Options {
+  lt::RenderOptions picture{450, 360, 64, 1, 0, {}};
+  lt::LitViewOptions show;
+  std::string plot = "none";
+};
+
+bool parse(Options& options, int argc, char** argv) {
+  lt::LitViewOptions& show = options.show;
+  lt::CommandLine line("ch05_rendering_equation", "The three-sphere room, lit for the first time.");
+  line.add_choice("--view", show.view, {"room", "strip"}, "the room, or a window at 1..1024 spp");
+  line.add_choice("--camera", show.camera, {"far", "near"}, "where to stand in the room");
+  line.add_int("--depth", show.depth, 0, 1000, "how often light may be scattered");
+  line.add_choice("--wrong", show.wrong, {"none", "cosine", "pi", "offset", "depth"},
+                  "make a mistake that the text shows");
+  line.add_choice("--plot", options.plot, {"none", "noise", "furnace"}, "draw a plot (SVG)");
+  line.add_int("--texels", show.texels, 16, 4096, "side of the walls' textures");
+  lt::add_picture_options(line, options.picture);
+  lt::add_sampling_options(line, options.picture);
+  return line.parse(argc, argv);
+}
+
+void run(const Options& options, const std::atomic<bool>& cancel) {
+  const lt::LitViewOptions& show = options.show;
+  std::filesystem::path out = options.picture.out;
+  if (options.plot != "none") {
+    if (out.empty()) out = options.plot + ".svg";
+    lt::write_plot(options.plot, show, options.picture, out, cancel);
+  } else {
+    if (out.empty()) out = show.view + ".png";
+    lt::require_picture_path(out);  // before the work, not after it
+    const auto write = show.view == "room" ? lt::write_room : lt::write_strip;
+    write(show, options.picture, out, cancel);
+  }
+  if (cancel) std::cout << "stopped early\n";
+  const bool is_written = options.plot == "none" || !cancel;  // half a plot is none
+  if (is_written) std::cout << "wrote " << lt::printable(out.string()) << '\n';
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::atomic<bool>& cancel = lt::interrupted();
+  const int code = lt::run_program("ch05_rendering_equation", [&] {
+    Options options;
+    if (parse(options, argc, argv)) run(options, cancel);
+  });
+  return code == 0 && cancel ? lt::interrupted_exit_code : code;
+}

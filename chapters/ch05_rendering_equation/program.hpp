@@ -1,0 +1,109 @@
+/// @file
+/// What the program does with its options: render, save after every pass, sum up.
+#pragma once
+
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <iostream>
+
+#include "ch01_pixels/image_file.hpp"
+#include "ch05_rendering_equation/plots.hpp"
+#include "ch05_rendering_equation/views.hpp"
+#include "common/command_line.hpp"
+#include "common/files.hpp"
+
+namespace lt {
+
+/// The picture's seed and threads, for render().
+[[nodiscard]] inline SampleRange range_for(const RenderOptions& picture) {
+  return {.seed = picture.seed, .threads = picture.threads};
+}
+
+/// One line: how many samples every pixel has, and how noisy it still is.
+inline void print_pass(const Film& before, const Film& film) {
+  const FilmSummary counts = summary(film);
+  std::cout << counts.least;
+  if (counts.most > counts.least) std::cout << " to " << counts.most;
+  std::cout << " samples per pixel";
+  if (const auto found = pixel_noise(before, film)) {
+    char text[40];
+    std::snprintf(text, sizeof text, ", noise %.4f W/(m^2 sr)", *found);
+    std::cout << text;
+  }
+  std::cout << '\n' << std::flush;
+}
+
+/// One line: how many paths, and how many in a second of processor time.
+inline void print_speed(const Film& film, std::clock_t start) {
+  double paths = 0;
+  for (int y = 0; y < film.height(); ++y)
+    for (int x = 0; x < film.width(); ++x)
+      paths += static_cast<double>(film.at(x, y).count);
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  char text[120];
+  std::snprintf(text, sizeof text, "%.2f million paths in %.1f s of processor time: %.2f a second",
+                paths * 1e-6, seconds, paths * 1e-6 / std::max(seconds, 1e-3));
+  std::cout << text << '\n';
+}
+
+// [write-room]
+/// Renders the room in passes; after each, the file holds the picture so far. When `cancel` is set,
+/// the samples that there are make the picture.
+/// @throws std::runtime_error  a sample was negative, infinite or NaN; the picture is written
+/// @throws OutputError         the file cannot be written
+inline void write_room(const LitViewOptions& show, const RenderOptions& picture,
+                       const std::filesystem::path& out, const std::atomic<bool>& cancel) {
+  const TexturedScene scene = matt_room(show.texels);
+  const Camera camera = show.camera == "far" ? room_camera_far() : room_camera_near();
+  const auto& [width, height, spp, seed, threads, ignored] = picture;
+  Film film(width, height);
+  save_image(out, developed(film));  // a place that cannot be written is told before the work
+  Progress progress("room", std::int64_t{width} * height * spp);
+
+  const std::clock_t start = std::clock();
+  const auto after_pass = [&](const Film& before, const Film& so_far) {
+    save_image(out, developed(so_far));
+    print_pass(before, so_far);
+  };
+  render_in_passes(film, camera, estimator_for(show.wrong, scene, show.depth), spp,
+                   range_for(picture), cancel, after_pass, &progress);
+  print_speed(film, start);
+  require_good_samples(film);
+}
+// [write-room]
+
+/// Writes the strip.
+inline void write_strip(const LitViewOptions& show, const RenderOptions& picture,
+                        const std::filesystem::path& out, const std::atomic<bool>& cancel) {
+  const TexturedScene scene = matt_room(show.texels);
+  const AnyEstimator estimate = estimator_for(show.wrong, scene, show.depth);
+  save_image(out, strip(estimate, picture.width, picture.height, range_for(picture), cancel));
+}
+
+/// The noise of the close-up, measured and drawn.
+[[nodiscard]] inline Plot measured_noise_plot(const LitViewOptions& show,
+                                              const RenderOptions& picture,
+                                              const std::atomic<bool>& cancel) {
+  const TexturedScene scene = matt_room(show.texels);
+  const std::vector<NoiseAt> measured =
+      measure_noise(close_up_camera(), estimator_for(show.wrong, scene, show.depth), 96, 72, 128,
+                    range_for(picture), cancel);
+  for (const NoiseAt& at : measured)
+    std::cout << at.samples << " samples per pixel: noise " << at.noise << " W/(m^2 sr)\n";
+  return noise_plot(measured);
+}
+
+/// Draws the plot `name` (noise or furnace).
+/// @throws InputError  `out` is no .svg
+inline void write_plot(const std::string& name, const LitViewOptions& show,
+                       const RenderOptions& picture, const std::filesystem::path& out,
+                       const std::atomic<bool>& cancel) {
+  if (out.extension() != ".svg")
+    throw InputError("--out: " + printable(out.string()) + " is no plot; end it in .svg");
+  const Plot plot = name == "noise" ? measured_noise_plot(show, picture, cancel)
+                                    : furnace_plot(20'000, picture.seed);
+  if (!cancel) write_file_whole(out, to_svg(plot));
+}
+
+}  // namespace lt
