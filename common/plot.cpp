@@ -61,11 +61,9 @@ class Drawing {
   }
 
  private:
-  [[nodiscard]] std::string class_of(std::size_t series) const {
-    std::size_t color = 0;
-    for (std::size_t s = 1; s <= series; ++s)
-      color += !plot_.series[s].same_color;
-    return curve_class(color);
+  [[nodiscard]] std::string class_of(std::size_t s) const {
+    const int other = plot_.series[s].color_of;
+    return curve_class(other < 0 ? s : static_cast<std::size_t>(other));
   }
   [[nodiscard]] bool is_visible(const Series& series, std::size_t i) const {
     return i < series.x.size() && is_drawable(series.x[i], plot_.log_x) &&

@@ -14,7 +14,7 @@ struct Series {
   std::vector<double> y;  ///< non-finite values leave a gap
   bool show_line = true;
   bool show_points = false;
-  bool same_color = false;  ///< as the series before it: measured dots and their fitted line
+  int color_of = -1;  ///< wears the color of the series of this number; -1: its own
 };
 
 /// A plot with its axes.

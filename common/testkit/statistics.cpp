@@ -7,13 +7,16 @@
 
 namespace lt {
 
+// [welford]
 void RunningMean::add(double value) {
   ++count_;
   const double delta = value - mean_;
   mean_ += delta / static_cast<double>(count_);
   sum_of_squares_ += delta * (value - mean_);
 }
+// [welford]
 
+// [standard-error]
 double RunningMean::variance() const {
   return count_ < 2 ? 0 : sum_of_squares_ / static_cast<double>(count_ - 1);
 }
@@ -21,12 +24,16 @@ double RunningMean::variance() const {
 double RunningMean::standard_error() const {
   return count_ < 1 ? 0 : std::sqrt(variance() / static_cast<double>(count_));
 }
+// [standard-error]
 
+// [agrees]
 bool ZTest::agrees(double smallest_effect) const {
   if (std::isnan(z) || std::isnan(effect)) return false;
   return std::abs(z) <= 6 || std::abs(effect) <= smallest_effect;
 }
+// [agrees]
 
+// [z-test]
 ZTest z_test(double mean, double standard_error, double expected) {
   const double difference = mean - expected;
   const double effect = expected == 0 ? difference : difference / std::abs(expected);
@@ -35,6 +42,7 @@ ZTest z_test(double mean, double standard_error, double expected) {
     return {std::copysign(std::numeric_limits<double>::infinity(), difference), effect};
   return {difference / standard_error, effect};
 }
+// [z-test]
 
 ZTest z_test(const RunningMean& sample, double expected) {
   return z_test(sample.mean(), sample.standard_error(), expected);
@@ -86,32 +94,47 @@ double chi_square_tail(double x, int degrees_of_freedom) {
   return x / 2 < a + 1 ? 1 - gamma_p_series(a, x / 2) : gamma_q_fraction(a, x / 2);
 }
 
+namespace {
+
+struct Bin {
+  double observed, expected;
+};
+
+// Where nothing can fall, nothing may have fallen: pooling must not hide it. Nor NaN.
+bool is_impossible(const Bin& bin) {
+  return (bin.expected == 0 && bin.observed != 0) || !(bin.expected >= 0) || !(bin.observed >= 0);
+}
+
+// [pooled]
+// Neighbours together, until each bin expects enough; what is left over joins the last.
+std::vector<Bin> pooled(const std::vector<Bin>& bins, double least) {
+  std::vector<Bin> result;
+  Bin open{0, 0};
+  for (const Bin& bin : bins) {
+    open = {open.observed + bin.observed, open.expected + bin.expected};
+    if (open.expected < least || open.expected == 0) continue;
+    result.push_back(open);
+    open = {0, 0};
+  }
+  if (result.empty()) return {open};
+  result.back().observed += open.observed;
+  result.back().expected += open.expected;
+  return result;
+}
+// [pooled]
+
+}  // namespace
+
+// [chi-square]
 ChiSquare chi_square(std::span<const double> observed, std::span<const double> expected,
                      double pool_below) {
   assert(observed.size() == expected.size());
-  struct Bin {
-    double observed, expected;
-  };
   std::vector<Bin> bins;
-  Bin open{0, 0};
   for (std::size_t i = 0; i < observed.size(); ++i) {
-    // Where nothing can fall, nothing may have fallen: pooling must not hide it. Nor NaN.
-    const bool is_impossible = expected[i] == 0 && observed[i] != 0;
-    if (is_impossible || !(expected[i] >= 0) || !(observed[i] >= 0))
-      return {std::numeric_limits<double>::infinity(), 1, 0};
-    open.observed += observed[i];
-    open.expected += expected[i];
-    if (open.expected < pool_below || open.expected == 0) continue;
-    bins.push_back(open);
-    open = {0, 0};
+    bins.push_back({observed[i], expected[i]});
+    if (is_impossible(bins.back())) return {std::numeric_limits<double>::infinity(), 1, 0};
   }
-  // What is left over at the end joins its neighbour.
-  if (bins.empty()) {
-    bins.push_back(open);
-  } else {
-    bins.back().observed += open.observed;
-    bins.back().expected += open.expected;
-  }
+  bins = pooled(bins, pool_below);
 
   double statistic = 0;
   for (const Bin& bin : bins) {
@@ -121,9 +144,11 @@ ChiSquare chi_square(std::span<const double> observed, std::span<const double> e
   const int degrees_of_freedom = std::max(1, static_cast<int>(bins.size()) - 1);
   return {statistic, degrees_of_freedom, chi_square_tail(statistic, degrees_of_freedom)};
 }
+// [chi-square]
 
 namespace {
 
+// [kolmogorov-tail]
 // Upper tail of Kolmogorov's distribution: 2 sum (-1)^(k-1) exp(-2 k^2 t^2).
 double kolmogorov_tail(double t) {
   if (t < 0.2) return 1;  // the series converges slowly there, and 1 - Q < 1e-12
@@ -135,9 +160,11 @@ double kolmogorov_tail(double t) {
   }
   return std::clamp(2 * sum, 0.0, 1.0);
 }
+// [kolmogorov-tail]
 
 }  // namespace
 
+// [kolmogorov-smirnov]
 KolmogorovSmirnov kolmogorov_smirnov(std::vector<double> samples,
                                      const std::function<double(double)>& cdf) {
   assert(!samples.empty());
@@ -155,5 +182,6 @@ KolmogorovSmirnov kolmogorov_smirnov(std::vector<double> samples,
   const double root = std::sqrt(n);
   return {distance, kolmogorov_tail(distance * (root + 0.12 + 0.11 / root))};
 }
+// [kolmogorov-smirnov]
 
 }  // namespace lt

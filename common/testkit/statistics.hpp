@@ -10,6 +10,7 @@
 
 namespace lt {
 
+// [running-mean]
 /// Mean and standard error of independent samples in one pass (Welford 1962).
 class RunningMean {
  public:
@@ -26,7 +27,9 @@ class RunningMean {
   double mean_ = 0;
   double sum_of_squares_ = 0;
 };
+// [running-mean]
 
+// [z-test]
 /// How far a sample mean lies from its expected value.
 struct ZTest {
   double z;       ///< (mean - expected) / standard error; 0 if both agree exactly, +-inf if se is 0
@@ -35,6 +38,7 @@ struct ZTest {
   /// False if anything is NaN.
   [[nodiscard]] bool agrees(double smallest_effect = 0) const;
 };
+// [z-test]
 
 [[nodiscard]] ZTest z_test(double mean, double standard_error, double expected);
 [[nodiscard]] ZTest z_test(const RunningMean& sample, double expected);
@@ -68,8 +72,7 @@ struct KolmogorovSmirnov {
 /// Adaptive Gauss-Kronrod quadrature of f over [a, b] in double precision. It starts with 120
 /// values of f: a peak much narrower than 1/100 of the interval may lie between them.
 /// @param tolerance  absolute error aimed at; where f is too noisy for it (it may compute in
-/// float),
-///                   the error is that of f
+///                   float), the error is that of f
 /// @return NaN if f gives NaN or infinity
 [[nodiscard]] double integrate(const std::function<double(double)>& f, double a, double b,
                                double tolerance = 1e-10);

@@ -100,13 +100,11 @@ TEST_CASE("plot: a point alone is a dot, points are drawn where asked for") {
   CHECK(curves(dots).empty());
 }
 
-TEST_CASE("plot: a fitted line wears the colour of its dots, the next pair another one") {
-  const lt::Series dots{"", {0, 1}, {1, 2}, false, true};
-  const lt::Series line{"fit", {0, 1}, {1, 2}, true, false, true};
-  const std::string svg = lt::to_svg(plot_of({dots, line, dots, line}));
-  CHECK(count(svg, "<g class=\"c0\">") == 3);  // dots, line, and the line's label
-  CHECK(count(svg, "<g class=\"c1\">") == 3);
-  CHECK(count(svg, "<g class=\"c2\">") == 0);
+TEST_CASE("plot: a series may wear another's color") {
+  lt::Plot plot = plot_of({{"one", {0, 1}, {0, 1}}, {"two", {0, 1}, {1, 0}}});
+  CHECK(contains(lt::to_svg(plot), "<g class=\"c1\">"));
+  plot.series[1].color_of = 0;
+  CHECK_FALSE(contains(lt::to_svg(plot), "<g class=\"c1\">"));
 }
 
 TEST_CASE("plot: no series and empty series say that there is no data") {

@@ -23,6 +23,7 @@ using Uses = std::map<std::string, std::set<std::string>>;
 /// - A chapter stands on earlier chapters only, and is declared under its folder's name.
 /// - A chapter's files include it, what it stands on, common/ and libraries.
 /// - common/ includes common/; exercises include their api.hpp and the test kit.
+/// - The test kit stays in tests, but for its statistics: programs measure their own noise.
 /// - Every name starts at the root: no "../", no bare "sphere.hpp". Nobody includes Catch2 but the
 ///   test kit.
 [[nodiscard]] Findings check_includes(const Tree& tree);
