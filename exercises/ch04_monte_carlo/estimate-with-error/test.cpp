@@ -125,7 +125,7 @@ TEST_CASE("the integral of sin from 0 to pi is 2") {
     constexpr int n = 20'000;
     const RunningMean found = estimate_sine(n, random);
     if (found.count() != n)
-      UNSCOPED_INFO("there are " << found.count() << " samples; " << n << " were asked for.");
+      UNSCOPED_INFO("count() is " << found.count() << "; " << n << " points were asked for.");
     REQUIRE(found.count() == n);
     const std::string call = "the integral of sin from 0 to pi";
     const std::string seen = gave(call, found.mean(), 2);
@@ -163,7 +163,8 @@ TEST_CASE("95 of 100 intervals of 1.96 standard errors hold the true value") {
     // 380 of 400 are expected. Fewer than 353 come with probability 3e-8, all 400 with 1e-9
     // (binomial distribution with p = 0.95).
     if (holding < 353 || holding > 399)
-      UNSCOPED_INFO(holding << " of 400 intervals hold 2; it should be about 380.");
+      UNSCOPED_INFO(holding << " of 400 intervals hold 2; it should be about 380."
+                            << (holding > 399 ? " Are the points independent of each other?" : ""));
     REQUIRE((holding >= 353 && holding <= 399));
   }
   lt::measured(std::to_string(last_count) + " of 400 intervals of 1.96 standard errors hold the " +

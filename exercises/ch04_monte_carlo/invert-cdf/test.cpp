@@ -51,14 +51,20 @@ std::string text_of(double x) {
   return text.str();
 }
 
+// u, even if it is a hair below 1.
+std::string text_of_u(double u) {
+  if (u == 1 - 0x1p-53) return "1 - 2^-53";
+  return u == 1 - 0x1p-24 ? "1 - 2^-24" : text_of(u);
+}
+
 std::string gave(const std::string& function, double argument, double value,
                  const std::string& expected) {
-  return function + "(" + text_of(argument) + ") gave " + text_of(value) + " and should give " +
+  return function + "(" + text_of_u(argument) + ") gave " + text_of(value) + " and should give " +
          expected + ".";
 }
 
 bool is_near(double a, double b) {
-  return std::abs(a - b) <= 1e-9;  // false for NaN
+  return std::abs(a - b) <= 1e-6;  // false for NaN
 }
 
 // Samples for 1,000 evenly spread u, sorted.

@@ -94,18 +94,20 @@ std::optional<std::pair<Key, Key>> two_that_are_equal(const auto& key_of, int co
   return std::nullopt;
 }
 
-// How many numbers later, up to 64, one stream begins as another.
+// How many numbers later, up to 1,000, one stream begins as another.
 std::optional<int> overlap(const Key& a, const Key& b) {
   Pcg32 random = stream_for(a.seed, a.x, a.y, a.sample);
   Four window = next_four(random);
   const Four other = start_of(b);
-  for (int later = 0; later < 64; ++later) {
+  for (int later = 0; later < 1000; ++later) {
     if (window == other) return later;
     std::rotate(window.begin(), window.begin() + 1, window.end());
     window[3] = random.next_bits();
   }
   return std::nullopt;
 }
+
+constexpr int noise_side = 128;
 
 // A square of numbers, one for each pixel.
 struct Noise {
@@ -118,7 +120,7 @@ struct Noise {
 
 // A picture whose pixels are means of some samples' first numbers, scaled to mean 0 and variance 1.
 Noise noise(std::uint64_t seed, int samples, int first_sample = 0) {
-  Noise picture{80, {}};
+  Noise picture{noise_side, {}};
   lt::RunningMean all;
   for (int y = 0; y < picture.side; ++y)
     for (int x = 0; x < picture.side; ++x) {
@@ -234,6 +236,7 @@ TEST_CASE("pixels are not alike, nor are samples and seeds") {
       largest = std::max(largest, std::abs(worst.value));
       if (worst.excess() < 1.0) continue;
       std::ostringstream seen;
+      seen.precision(2);
       seen << "pixels of " << samples << (samples == 1 ? " sample" : " samples") << " and those "
            << std::abs(worst.dx) << (worst.dx < 0 ? " to the left and " : " to the right and ")
            << worst.dy << " below have a correlation of " << worst.value
