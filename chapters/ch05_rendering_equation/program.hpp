@@ -47,15 +47,14 @@ inline void print_speed(const Film& film, std::clock_t start) {
   std::cout << text << '\n';
 }
 
-// [write-room]
-/// Renders the room in passes; after each, the file holds the picture so far. When `cancel` is set,
-/// the samples that there are make the picture.
+// [render-to-file]
+/// Renders in passes; after each, the file holds the picture so far. When `cancel` is set, the
+/// samples that there are make the picture.
 /// @throws std::runtime_error  a sample was negative, infinite or NaN; the picture is written
 /// @throws OutputError         the file cannot be written
-inline void write_room(const LitViewOptions& show, const RenderOptions& picture,
-                       const std::filesystem::path& out, const std::atomic<bool>& cancel) {
-  const TexturedScene scene = matt_room(show.texels);
-  const Camera camera = show.camera == "far" ? room_camera_far() : room_camera_near();
+template <RadianceEstimator Estimator>
+void render_to_file(const Estimator& estimate, const Camera& camera, const RenderOptions& picture,
+                    const std::filesystem::path& out, const std::atomic<bool>& cancel) {
   const auto& [width, height, spp, seed, threads, ignored] = picture;
   Film film(width, height);
   save_image(out, developed(film));  // a place that cannot be written is told before the work
@@ -66,10 +65,19 @@ inline void write_room(const LitViewOptions& show, const RenderOptions& picture,
     save_image(out, developed(so_far));
     print_pass(before, so_far);
   };
-  render_in_passes(film, camera, estimator_for(show.wrong, scene, show.depth), spp,
-                   range_for(picture), cancel, after_pass, &progress);
+  render_in_passes(film, camera, estimate, spp, range_for(picture), cancel, after_pass, &progress);
   print_speed(film, start);
   require_good_samples(film);
+}
+// [render-to-file]
+
+// [write-room]
+/// Renders the room to a file, which holds the picture so far after every pass.
+inline void write_room(const LitViewOptions& show, const RenderOptions& picture,
+                       const std::filesystem::path& out, const std::atomic<bool>& cancel) {
+  const TexturedScene scene = matt_room(show.texels);
+  const Camera camera = show.camera == "far" ? room_camera_far() : room_camera_near();
+  render_to_file(estimator_for(show.wrong, scene, show.depth), camera, picture, out, cancel);
 }
 // [write-room]
 
