@@ -122,8 +122,8 @@ TEST_CASE("one direction brings BRDF times sky times cosine, over the density") 
   const double f = 0.5 / pi;
   const double light = 2.6;  // from (0.6, 0, 0.8); towards wo, (0, 0.6, 0.8), the sky is 3.2
   const double right = f * light * 0.8 / 0.25;
-  const std::string seen =
-      gave("albedo 0.5, one direction with cosine 0.8, density 0.25 and light 2.6", value, right);
+  const std::string seen = gave(
+      "One direction with cosine 0.8, density 0.25 and light 2.6, at albedo 0.5,", value, right);
   const std::array<std::pair<const char*, double>, 7> mistakes{{
       {"cosine-forgotten", f * light / 0.25},
       {"pi-forgotten", 0.5 * light * 0.8 / 0.25},
@@ -144,7 +144,7 @@ TEST_CASE("one direction brings BRDF times sky times cosine, over the density") 
 TEST_CASE("several directions: the mean over all that were asked") {
   const double one = asked({0.2});
   const double other = asked({0.4});
-  INFO(gave("one direction with cosine 0.28, density 0.125 and light 1.04", other,
+  INFO(gave("One direction with cosine 0.28, density 0.125 and light 1.04, at albedo 0.5,", other,
             0.5 / pi * 1.04 * 0.28 / 0.125));
   REQUIRE(is_near(other, 0.5 / pi * 1.04 * 0.28 / 0.125));
   const double both = asked({0.2, 0.4});
@@ -172,11 +172,11 @@ TEST_CASE("in a furnace the surface sends back its albedo, whatever the sampler"
     const std::vector<dvec2> us = numbers(seed);
     for (const auto& [name, sampler] : ways) {
       const double mean = reflected(0.5, wo, sampler, even_sky, us);
-      INFO(gave("albedo 0.5 under a sky of 1, with " + name + ',', mean, 0.5));
+      INFO(gave("Albedo 0.5 under a sky of 1, with " + name + ',', mean, 0.5));
       REQUIRE(is_within_percent(mean, 0.5));
       // The mean of z where directions follow the cosine is 2/3.
       const double zenith = reflected(0.5, wo, sampler, bright_zenith, us);
-      INFO(gave("albedo 0.5 under a sky of z, with " + name + ',', zenith, 1 / 3.0));
+      INFO(gave("Albedo 0.5 under a sky of z, with " + name + ',', zenith, 1 / 3.0));
       REQUIRE(is_within_percent(zenith, 1 / 3.0));
       if (seed == 1) report << mean << " with " << name << ", ";
     }

@@ -33,11 +33,12 @@ std::string gave(dvec2 u) {
   return "u = " + shown(u) + " gave " + shown(uniform_hemisphere(u));
 }
 
-// Every u of an even grid, and of the rim.
+// Every u of an even grid, and then of the rim.
 std::vector<dvec2> places() {
-  std::vector<double> one{0.0, almost_one};
+  std::vector<double> one;
   for (int i = 0; i < 24; ++i)
     one.push_back((i + 0.5) / 24);
+  one.insert(one.end(), {0.0, almost_one});
   std::vector<dvec2> all;
   for (const double x : one)
     for (const double y : one)

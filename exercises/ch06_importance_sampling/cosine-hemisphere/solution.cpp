@@ -14,8 +14,8 @@ const double pi = std::acos(-1.0);
 glm::dvec3 cosine_hemisphere(glm::dvec2 u) {
   // Malley: a patch of the sphere, seen from above, is smaller by its cosine. Points spread evenly
   // over the disk and lifted up to the sphere lie denser where the cosine is large.
-  const double radius = std::sqrt(u.x);   // the disk within r has the share r * r of the area
-  const double z = std::sqrt(1.0 - u.x);  // 1 - radius * radius
+  const double radius = std::sqrt(u.x);  // the disk within r has the share r * r of the area
+  const double z = std::sqrt(1.0 - u.x);
   const double phi = 2.0 * pi * u.y;
   return {radius * std::cos(phi), radius * std::sin(phi), z};
 }
