@@ -8,6 +8,8 @@ set(LT_MY "${LT_ROOT}/my" CACHE PATH "where the learner's files live")
 set(LT_EXERCISES "${LT_ROOT}/exercises" CACHE PATH
   "folders with exercise.json, two levels down")
 
+option(LT_MUTANTS "Prove that each exercise names its wrong answers; they are many to compile" ON)
+
 # One line that names the exercise, then stop.
 function(lt_exercise_error folder message)
   cmake_path(RELATIVE_PATH folder BASE_DIRECTORY "${LT_ROOT}")
@@ -69,6 +71,20 @@ function(lt_exercise folder)
   endif()
 endfunction()
 
+# Half of the wait for a verdict is reading the same headers again: they are read once, for all
+# exercises. (Proofs go without, so that every solution names the headers that it needs.)
+function(lt_precompile target)
+  if(NOT TARGET ex_headers)
+    file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/headers.cpp" "")
+    add_library(ex_headers OBJECT "${CMAKE_CURRENT_BINARY_DIR}/headers.cpp")
+    target_link_libraries(ex_headers PRIVATE lt::testkit)
+    lt_exercise_flags(ex_headers)
+    target_precompile_headers(ex_headers PRIVATE <algorithm> <array> <cmath> <cstdint> <optional>
+      <stdexcept> <string> <vector> <glm/glm.hpp>)
+  endif()
+  target_precompile_headers(${target} REUSE_FROM ex_headers)
+endfunction()
+
 # The learner's program: my/ID-NAME.cpp if it is there, the untouched starter otherwise.
 function(lt_learner_exercise folder id name)
   set(source "${folder}/starter.cpp")
@@ -77,6 +93,7 @@ function(lt_learner_exercise folder id name)
     set(source "${LT_MY}/${id}-${name}.cpp")
   endif()
   lt_exercise_program(ex_${id} ${id} "${folder}" "${source}")
+  lt_precompile(ex_${id})
   add_test(NAME "${id} ${name}" COMMAND ex_${id})
   set_tests_properties("${id} ${name}" PROPERTIES LABELS ${id} TIMEOUT 10)
 endfunction()
@@ -94,6 +111,9 @@ function(lt_prove_exercise folder json id name)
   lt_judge("${folder}" ${id} "${name}" solution "the solution passes for 200 seeds" --seeds 200)
   lt_judge("${folder}" ${id} "${name}" other "another right answer passes for 200 seeds" --seeds 200)
 
+  if(NOT LT_MUTANTS)
+    return()
+  endif()
   string(JSON count ERROR_VARIABLE error LENGTH "${json}" mutants)
   if(error OR count LESS 2)
     lt_exercise_error("${folder}" "exercise.json: mutants must be a list of at least 2")
@@ -132,6 +152,8 @@ function(lt_mutant folder id tag find replace)
     file(WRITE "${file}" "${mutated}")
   endif()
   lt_exercise_program(ex_${id}_mutant_${tag} ${id} "${folder}" "${file}")
+  # A mistake may well be one that the compiler warns of: that must not stop CI.
+  target_compile_options(ex_${id}_mutant_${tag} PRIVATE $<IF:$<CXX_COMPILER_ID:MSVC>,/w,-w>)
 endfunction()
 
 # lt_judge(FOLDER ID NAME ANSWER SENTENCE option...): one CTest test of one program.

@@ -107,6 +107,11 @@ class Translation(unittest.TestCase):
         with self.assertRaisesRegex(course.SiteError, "<marquee>"):
             self.translated("<marquee>no</marquee>\n")
 
+    def test_a_picture_can_ask_never_to_be_scaled(self):
+        picture = "![A](../ch01_pixels/figures/checker.png)\n*C.* `c`\n"
+        self.assertIn('<figure class="figure exact">', self.html_of("<!-- exact -->\n" + picture))
+        self.assertIn('<figure class="figure">', self.html_of(picture))
+
     def test_a_caption_holds_its_command(self):
         html = self.html_of("*The room.* `./learn chapter 2`\n")
         self.assertIn('<p class="caption"><span>The room.</span><span class="command">'

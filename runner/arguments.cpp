@@ -52,8 +52,8 @@ std::vector<std::string> Arguments::all_left() {
 std::vector<std::string> Arguments::words(std::size_t at_most) {
   for (const std::string& word : words_) {
     if (word.starts_with("-") && word.size() > 1) {
-      throw InputError(command_ + " has no option " + printable(word) + did_you_mean(word, known_) +
-                       "; see ./learn help " + command_);
+      throw InputError(command_ + " has no option " + printable(word) +
+                       did_you_mean(word, known_, "see ./learn help " + command_));
     }
   }
   if (words_.size() > at_most) {

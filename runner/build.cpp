@@ -25,7 +25,10 @@ ProcessOptions plain_english() {
 class BuildLine {
  public:
   BuildLine(std::string label, bool is_quiet) : label_(std::move(label)) {
-    if (!is_quiet && !stderr_is_terminal()) std::cerr << label_ << " ..." << std::endl;
+    if (is_quiet) return;
+    std::cerr << label_ << " ..." << std::flush;
+    if (!stderr_is_terminal()) std::cerr << std::endl;
+    is_shown_ = stderr_is_terminal();
   }
   ~BuildLine() {
     if (is_shown_) std::cerr << "\r\x1b[K" << std::flush;

@@ -223,7 +223,7 @@ std::vector<Command> course_commands() {
   const std::string course = "The course";
   const std::string upkeep = "Upkeep";
   return {
-      {"render", course, "[--quick]", "make every picture, and a page of them, in out/",
+      {"render", course, "[--quick]", "make every picture and a page of them",
        "--quick makes them small. out/index.html shows all with their commands.", render_command},
       {"chapter", course, "N [OPTIONS]", "build and run the program of one chapter",
        "Options go to the program: ./learn chapter 2 --help lists them.", chapter_command},

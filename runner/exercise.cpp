@@ -33,12 +33,24 @@ std::vector<fs::path> description_files(const fs::path& exercises) {
   return files;
 }
 
+// A file that was deleted by mistake, or a checkout that was cut short.
+void check_files(const Exercise& exercise) {
+  for (const char* name : {"api.hpp", "starter.cpp", "test.cpp", "solution.cpp", "README.md"}) {
+    const std::string file = shown_path(exercise.folder / name);
+    std::error_code ignored;
+    if (!fs::is_regular_file(exercise.folder / name, ignored)) {
+      throw InputError(file + " is missing; git checkout -- " + file + " brings it back");
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Exercise> load_exercises(const Home& home) {
   std::vector<Exercise> exercises;
   for (const fs::path& file : description_files(home.exercises)) {
     exercises.push_back(parse_exercise(read_file(file, 1 << 20), file));
+    check_files(exercises.back());
   }
   std::sort(exercises.begin(), exercises.end(),
             [](const Exercise& a, const Exercise& b) { return a.id < b.id; });
@@ -58,18 +70,16 @@ const Exercise& find_exercise(const std::vector<Exercise>& exercises, const std:
       wanted[1] == '.') {
     wanted.insert(0, "0");
   }
-  std::vector<std::string> ids;
   std::vector<std::string> choices;
   for (const Exercise& exercise : exercises) {
     const std::string both = exercise.id + "-" + exercise.name;
     if (wanted == exercise.id || wanted == exercise.name || wanted == both) return exercise;
-    ids.push_back(exercise.id);
     choices.push_back(exercise.id);
     choices.push_back(exercise.name);
   }
-  if (ids.empty()) throw InputError("there are no exercises yet");
-  throw InputError("no exercise " + word + did_you_mean(wanted, choices) + "; there are " +
-                   join(ids, ", "));
+  if (choices.empty()) throw InputError("there are no exercises yet");
+  throw InputError("no exercise " + printable(word) +
+                   did_you_mean(wanted, choices, "./learn list shows them all"));
 }
 
 }  // namespace lt

@@ -78,6 +78,8 @@ int check_and_tell(const Lesson& lesson, const Exercise& exercise, bool wants_me
       lesson.workspace().open(exercise, lesson.home().workspace) == Opened::starter_changed;
   if (can_merge) {
     std::cout << '\n' << wrapped(merge_exercise(lesson, exercise), terminal_columns(), 2);
+  } else if (wants_merge) {
+    std::cout << "\n  There is nothing to merge: your file has today's starter in it.\n";
   } else {
     tell(opening, exercise);
   }
@@ -194,7 +196,7 @@ std::vector<Command> exercise_commands() {
       "ID is an exercise's number or name: 02.2 or sphere. Without it: the one "
       "that is open.";
   return {
-      {"", group, "", "open the current exercise and watch your file",
+      {"", group, "", "open the current exercise and watch it",
        "Keys: n next, h hint, s solution, l list, r reset, q quit. Without a terminal the exercise "
        "is checked once.",
        learn_command},

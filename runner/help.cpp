@@ -1,6 +1,6 @@
 #include "runner/help.hpp"
 
-#include <algorithm>
+#include <array>
 
 #include "runner/terminal.hpp"
 #include "runner/text.hpp"
@@ -9,29 +9,26 @@ namespace lt {
 
 namespace {
 
+// As one types it.
 std::string usage(const Command& command) {
-  const std::string name = command.name.empty() ? "(nothing)" : command.name;
-  return command.usage.empty() ? name : name + " " + command.usage;
+  std::string line = "./learn";
+  for (const std::string& part : {command.name, command.usage})
+    if (!part.empty()) line += " " + part;
+  return line;
 }
 
-std::vector<std::string> groups(const std::vector<Command>& commands) {
-  std::vector<std::string> names;
-  for (const Command& command : commands) {
-    const bool is_new = std::find(names.begin(), names.end(), command.group) == names.end();
-    if (is_new && !command.group.empty()) names.push_back(command.group);
-  }
-  return names;
-}
+// In the order in which a newcomer wants them.
+constexpr std::array groups = {"Exercises", "The course", "Upkeep"};
 
 }  // namespace
 
 std::string help_text(const std::vector<Command>& commands) {
   std::string text = "usage: ./learn [COMMAND]\n";
-  for (const std::string& group : groups(commands)) {
+  for (const std::string group : groups) {
     text += "\n" + ink::bold(group) + "\n";
     for (const Command& command : commands) {
       if (command.group != group) continue;
-      text += "  " + ink::cyan(padded(usage(command), 28)) + "  " + command.summary + "\n";
+      text += "  " + ink::cyan(padded(usage(command), 36)) + "  " + command.summary + "\n";
     }
   }
   return text + "\n./learn help COMMAND tells more of one of them.\n";
@@ -39,9 +36,7 @@ std::string help_text(const std::vector<Command>& commands) {
 
 std::string help_text(const Command& command) {
   const int width = terminal_columns();
-  std::string text = "usage: ./learn";
-  if (!command.name.empty()) text += " " + usage(command);
-  text += "\n\n" + wrapped(command.summary, width, 2);
+  std::string text = "usage: " + usage(command) + "\n\n" + wrapped(command.summary, width, 2);
   if (!command.details.empty()) text += "\n" + wrapped(command.details, width, 2);
   return text;
 }

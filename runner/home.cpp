@@ -63,8 +63,8 @@ std::string find_chapter(const Home& home, const std::string& word) {
   std::vector<std::string> numbers;
   for (const std::string& name : names)
     numbers.push_back(std::to_string(std::stoi(name.substr(2))));
-  throw InputError("no chapter " + word + did_you_mean(word, names) + "; there are chapters " +
-                   join(numbers, ", "));
+  throw InputError("no chapter " + word +
+                   did_you_mean(word, names, "there are chapters " + join(numbers, ", ")));
 }
 
 }  // namespace lt

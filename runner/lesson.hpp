@@ -56,9 +56,11 @@ class Lesson {
   /// A number that changes when the learner's file does; "" while it is not there.
   [[nodiscard]] std::string answer_fingerprint(const Exercise& exercise) const;
 
+  /// The same for what checks it, test.cpp and api.hpp; "" while they are not there.
+  [[nodiscard]] std::string test_fingerprint(const Exercise& exercise) const;
+
  private:
   [[nodiscard]] Verdict build_and_run(const Exercise& exercise, const std::string& answer) const;
-  [[nodiscard]] std::string test_fingerprint(const Exercise& exercise) const;
 
   Home home_;
   std::vector<Exercise> exercises_;

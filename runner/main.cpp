@@ -27,8 +27,8 @@ const Command& find_command(const std::vector<Command>& commands, const std::str
     if (command.name == name) return command;
     if (!command.group.empty() && !command.name.empty()) names.push_back(command.name);
   }
-  throw InputError("there is no command \"" + printable(name) + "\"" + did_you_mean(name, names) +
-                   "; ./learn help lists them all");
+  throw InputError("there is no command \"" + printable(name) + "\"" +
+                   did_you_mean(name, names, "./learn help lists them all"));
 }
 
 bool asks_for_help(const std::string& word) {

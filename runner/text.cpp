@@ -107,9 +107,11 @@ std::vector<std::string> near_words(std::string_view word,
   return words;
 }
 
-std::string did_you_mean(std::string_view word, const std::vector<std::string>& choices) {
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& choices,
+                         const std::string& otherwise) {
   const std::vector<std::string> words = near_words(word, choices);
-  return words.empty() ? "" : " - did you mean " + join(words, " or ") + "?";
+  if (!words.empty()) return ": did you mean " + join(words, " or ") + "?";
+  return otherwise.empty() ? "" : "; " + otherwise;
 }
 
 std::string fingerprint(std::string_view bytes) {

@@ -33,9 +33,10 @@ namespace lt {
 [[nodiscard]] std::vector<std::string> near_words(std::string_view word,
                                                   const std::vector<std::string>& choices);
 
-/// " - did you mean a or b?", or nothing if nothing is near.
+/// ": did you mean a or b?", or "; OTHERWISE" if nothing is near (nothing if `otherwise` is empty).
 [[nodiscard]] std::string did_you_mean(std::string_view word,
-                                       const std::vector<std::string>& choices);
+                                       const std::vector<std::string>& choices,
+                                       const std::string& otherwise = "");
 
 /// A number that changes when the bytes change (FNV-1a, 64 bits), as 16 hexadecimal digits.
 [[nodiscard]] std::string fingerprint(std::string_view bytes);

@@ -1,115 +1,13 @@
 #include "runner/verdict.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <csignal>
-#include <regex>
 
-#include "common/files.hpp"
 #include "runner/text.hpp"
 
 namespace lt {
-
-namespace fs = std::filesystem;
-
-std::set<std::string> TestOutput::tags() const {
-  std::set<std::string> tags;
-  for (const Finding& finding : findings)
-    tags.insert(finding.tag);
-  return tags;
-}
-
-namespace {
-
-// What stands behind `mark` in the line, if the mark is there. A learner's own output without a
-// newline may stand before it.
-std::optional<std::string> after(const std::string& line, std::string_view mark) {
-  const std::size_t start = line.find(mark);
-  if (start == std::string::npos) return std::nullopt;
-  return line.substr(start + mark.size());
-}
-
-std::optional<NotWrittenYet> parse_not_written(const std::string& rest) {
-  static const std::regex pattern(R"( ?(.+?):(\d{1,7}): (.*))");
-  std::smatch match;
-  if (!std::regex_match(rest, match, pattern)) return std::nullopt;
-  return NotWrittenYet{match[1], std::stoi(match[2]), match[3]};
-}
-
-std::optional<Finding> parse_finding(const std::string& rest) {
-  const std::size_t end = rest.find(']');
-  if (end == std::string::npos) return std::nullopt;
-  return Finding{rest.substr(0, end), trimmed(rest.substr(end + 1))};
-}
-
-// The sentence of the last TEST_CASE at or above a line of test.cpp.
-std::string test_case_above(const std::vector<std::string>& lines, int line) {
-  static const std::regex pattern(R"(^\s*TEST_CASE\(\s*"([^"]*)\")");
-  std::string sentence;
-  for (int i = 0; i < std::min(line, static_cast<int>(lines.size())); ++i) {
-    std::smatch match;
-    if (std::regex_search(lines[static_cast<std::size_t>(i)], match, pattern)) sentence = match[1];
-  }
-  return sentence;
-}
-
-// Splits Catch2's "EXPRESSION for: VALUES with 2 messages: 'a' and 'b'".
-void split_failure(std::string text, FailedCheck& check) {
-  static const std::regex messages(R"( with \d+ messages?: (.*)$)");
-  static const std::regex thrown(
-      R"(^unexpected exception with messages?: '(.*?)'(?: and .*)?(?:; expression was: (.*))?$)");
-  std::smatch match;
-  if (std::regex_match(text, match, thrown)) {
-    check.message = "an exception came out: " + match[1].str();
-    check.expression = match[2];
-    return;
-  }
-  if (std::regex_search(text, match, messages)) {
-    check.message = match[1];
-    text = match.prefix();
-  }
-  const std::size_t values = text.find(" for: ");
-  check.expression = text.substr(0, values);
-  if (values != std::string::npos) check.values = text.substr(values + 6);
-  if (check.expression == "explicitly") check.expression.clear();
-}
-
-std::optional<FailedCheck> first_failed_check(std::string_view report, std::string_view test_cpp) {
-  static const std::regex pattern(R"(^.*?[:(](\d{1,7})\)?: failed: (.*)$)");
-  for (const std::string& line : split_lines(report)) {
-    std::smatch match;
-    if (!std::regex_match(line, match, pattern)) continue;
-    FailedCheck check;
-    check.line = std::stoi(match[1]);
-    check.sentence = test_case_above(split_lines(test_cpp), check.line);
-    split_failure(match[2], check);
-    return check;
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
-TestOutput read_test_output(std::string_view output, std::string_view report,
-                            std::string_view test_cpp) {
-  TestOutput result;
-  for (const std::string& line : split_lines(output)) {
-    if (const auto rest = after(line, "[not-written]")) {
-      if (!result.not_written) {
-        result.not_written = parse_not_written(*rest);
-        result.is_todo_first = result.findings.empty();
-      }
-    } else if (const auto diagnosed = after(line, "[diag:")) {
-      if (const auto finding = parse_finding(*diagnosed)) result.findings.push_back(*finding);
-    } else if (const auto fact = after(line, "[measured] ")) {
-      result.measured.push_back(*fact);
-    } else {
-      result.printed.push_back(printable(line));
-    }
-  }
-  result.failed_check = first_failed_check(report, test_cpp);
-  return result;
-}
 
 std::string signal_in_words(int signal) {
   switch (signal) {
@@ -156,15 +54,34 @@ Verdict verdict_on_build(const BuildError& error) {
 
 namespace {
 
-// libstdc++ says which assertion failed; its condition is what a person wants to know.
-void add_assertion(const TestOutput& output, Verdict& verdict) {
-  for (const std::string& line : output.printed) {
-    if (line.find("Assertion") != std::string::npos ||
-        line.find("assertion") != std::string::npos) {
-      verdict.details.push_back(line);
-      return;
-    }
-  }
+// A line of the C++ library that says which of its assertions failed, in words. It names the whole
+// type before it comes to the point: "FILE:LINE: TYPE::operator[](...) [with ...]: Assertion '__n <
+// this->size()' failed."
+std::string assertion_in_words(const std::string& line) {
+  const std::size_t start = std::min(line.find("Assertion "), line.find("assertion "));
+  const std::string assertion = line.substr(start, 200);
+  const std::size_t type = line.find("std::");
+  if (type > start) return assertion;
+  const std::string name = line.substr(type, line.find_first_of("<: ", type + 5) - type);
+  return assertion.find("__n < this->size()") != std::string::npos
+             ? "an index into a " + name + " is not less than its size"
+             : name + ": " + assertion;
+}
+
+// Moves that line, if there is one, from what was printed to the verdict's details.
+void add_assertion(Verdict& verdict) {
+  const auto found = std::find_if(verdict.printed.begin(), verdict.printed.end(), [](auto& line) {
+    return line.find("Assertion ") != std::string::npos ||
+           line.find("assertion ") != std::string::npos;
+  });
+  if (found == verdict.printed.end()) return;
+  verdict.details.push_back(assertion_in_words(*found));
+  verdict.printed.erase(found);
+}
+
+std::string sentence(std::string text) {
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text + ".";
 }
 
 std::string in_check(const TestOutput& output) {
@@ -206,8 +123,8 @@ Verdict verdict_on_run(const Exercise& exercise, const ProcessResult& result,
                    in_check(output) + ". Is there a loop that never ends?";
   } else if (result.signal != 0) {
     verdict.says =
-        "The program crashed" + in_check(output) + ": " + signal_in_words(result.signal) + ".";
-    add_assertion(output, verdict);
+        "The program crashed" + in_check(output) + ". " + sentence(signal_in_words(result.signal));
+    add_assertion(verdict);
   } else if (output.failed_check) {
     describe(*output.failed_check, verdict);
   } else if (result.succeeded()) {

@@ -1,5 +1,6 @@
 #include "runner/watch.hpp"
 
+#include <chrono>
 #include <iostream>
 
 #include "common/files.hpp"
@@ -12,8 +13,11 @@
 namespace lt {
 
 bool Watcher::has_changed(const Lesson& lesson, const Exercise& exercise) {
-  const std::string now = exercise.id + lesson.answer_fingerprint(exercise);
-  if (now == exercise.id || now == seen_) return false;  // gone: an editor is renaming it
+  const std::string answer = lesson.answer_fingerprint(exercise);
+  const std::string test = lesson.test_fingerprint(exercise);
+  const std::string now = exercise.id + " " + answer + " " + test;
+  // Gone: an editor is renaming it, or git is bringing a new one.
+  if (answer.empty() || test.empty() || now == seen_) return false;
   seen_ = now;
   return true;
 }
@@ -49,15 +53,24 @@ class Watch {
     note_ = opening.note;
     if (opening.can_merge) offer_merge();
     watcher_ = Watcher();
+    last_there_ = std::chrono::steady_clock::now();
   }
 
   // `./learn next` or `run` in another terminal moves this one too.
   void follow_other_commands() {
-    if (!lesson_.workspace().has_answer(*exercise_)) return open(*exercise_);
+    if (is_answer_gone()) return open(*exercise_);
     const Exercise& current = lesson_.current();
     if (current.id != exercise_->id && lesson_.progress().load().current == current.id) {
       open(current);
     }
+  }
+
+  // Some editors move a file away before they write the new one: a moment without it means nothing.
+  [[nodiscard]] bool is_answer_gone() {
+    constexpr std::chrono::seconds moment(2);
+    const auto now = std::chrono::steady_clock::now();
+    if (lesson_.workspace().has_answer(*exercise_)) last_there_ = now;
+    return now - last_there_ > moment;
   }
 
   void check() {
@@ -171,7 +184,8 @@ class Watch {
   const Exercise* exercise_ = nullptr;
   std::optional<Verdict> verdict_;
   std::string build_failure_;
-  std::string note_;  // shown once
+  std::string note_;                                  // shown once
+  std::chrono::steady_clock::time_point last_there_;  // the learner's file, when last looked
   Watcher watcher_;
   KeyReader keys_;
 };

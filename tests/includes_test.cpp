@@ -100,7 +100,9 @@ TEST_CASE("includes: an exercise sees its api and the kit only") {
   CHECK(found_with(folder + "solution.cpp", "\"api.hpp\"").empty());
   CHECK(found_with(folder + "solution.cpp", "\"ch01_dots/dot.hpp\"").size() == 1);
   CHECK(found_with(folder + "solution.cpp", "\"common/testkit/exercise.hpp\"").size() == 1);
+  CHECK(found_with(folder + "solution.cpp", "\"common/testkit/statistics.hpp\"").size() == 1);
   CHECK(found_with(folder + "test.cpp", "\"common/testkit/exercise.hpp\"").empty());
+  CHECK(found_with(folder + "test.cpp", "\"common/testkit/statistics.hpp\"").empty());
   CHECK(found_with("runner/tests/data/" + folder + "test.cpp", "\"api.hpp\"").empty());
 }
 

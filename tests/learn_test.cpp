@@ -37,7 +37,8 @@ TEST_CASE("learn: help names every command and ends well") {
     for (const std::string name :
          {"render", "chapter", "test", "bench", "site", "doctor", "figures", "next", "list", "run",
           "hint", "solution", "reset", "verify"}) {
-      CHECK(outcome.out.find("./learn " + name) != std::string::npos);
+      INFO(name);
+      CHECK(outcome.out.find("\n  ./learn " + name + " ") != std::string::npos);  // one line each
     }
     CHECK(outcome.out.find("study") == std::string::npos);  // comes with chapter 14
   }

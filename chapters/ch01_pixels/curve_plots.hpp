@@ -16,8 +16,7 @@ namespace lt {
   plot.description =
       "The sRGB curve rises steeply in the dark and flattens: half the light of white has code "
       "188, "
-      "and half of the codes lie below 22 percent of it. A straight line is drawn for "
-      "comparison.";
+      "and half of the codes lie below 22 percent of it. A straight line is drawn beside it.";
   Series curve{"sRGB", {}, {}};
   for (int i = 0; i <= 400; ++i) {
     const float signal = static_cast<float>(i) / 400.0f;
@@ -37,12 +36,12 @@ namespace lt {
   plot.log_x = true;
   plot.log_y = true;
   plot.description =
-      "On logarithmic axes. Codes at equal steps of light fall from 100 percent in the dark to 0.4 "
-      "percent at white. sRGB codes fall from 100 percent to 0.9 percent: 13 times finer in the "
-      "deepest dark, as fine at a quarter of white, coarser above. A level line marks the 1 "
-      "percent "
-      "that an eye can just see.";
-  Series equal{"codes at equal steps of light", {}, {}};
+      "On logarithmic axes. Linear codes, at equal steps of light, fall from 100 percent in the "
+      "dark "
+      "to 0.4 percent at white. sRGB codes fall from 100 percent to 0.9 percent: 13 times finer in "
+      "the deepest dark, as fine at a quarter of white, coarser above. A level line marks the 1 "
+      "percent that an eye can just see.";
+  Series equal{"linear codes", {}, {}};
   Series srgb{"sRGB codes", {}, {}};
   for (int code = 1; code < 255; ++code) {
     equal.x.push_back(code / 255.0);

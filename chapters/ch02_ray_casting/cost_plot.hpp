@@ -70,7 +70,7 @@ inline void add_to_plot(Plot& plot, const std::string& name, const std::vector<C
   std::snprintf(label, sizeof label, "%s: %.0f + %.1f n%s", name.c_str(), law.start, law.slope,
                 power == 2 ? "\u00b2" : "");
   Series points{"", {}, {}, false, true};
-  Series line{label, {}, {}};
+  Series line{label, {}, {}, true, false, static_cast<int>(plot.series.size())};
   for (const Cost& cost : costs) {
     points.x.push_back(cost.spheres);
     points.y.push_back(cost.nanoseconds);

@@ -16,8 +16,8 @@ namespace lt::mistakes {
 [[nodiscard]] inline float discriminant(const Sphere& sphere, const Ray& ray) {
   const vec3 from_center = ray.origin - sphere.center;
   const float b = dot(from_center, ray.direction);
-  const float c = dot(from_center, from_center) - sphere.radius * sphere.radius;
-  return b * b - c;
+  const float k = dot(from_center, from_center) - sphere.radius * sphere.radius;
+  return b * b - k;
 }
 // [naive-discriminant]
 

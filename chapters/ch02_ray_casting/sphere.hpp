@@ -28,11 +28,11 @@ struct Sphere {
   const float discriminant = sphere.radius * sphere.radius - dot(closest, closest);
   if (discriminant < 0.0f) return std::nullopt;
 
-  // Two roots: q, and c / q, which does not subtract nearly equal numbers.
+  // Two roots: q, and k / q, which does not subtract nearly equal numbers.
   const float q = -b - std::copysign(std::sqrt(discriminant), b);
-  const float c = dot(from_center, from_center) - sphere.radius * sphere.radius;
-  const float near = std::fmin(q, c / q);
-  const float far = std::fmax(q, c / q);
+  const float k = dot(from_center, from_center) - sphere.radius * sphere.radius;
+  const float near = std::fmin(q, k / q);
+  const float far = std::fmax(q, k / q);
   const float t = near > 0.0f ? near : far;
   if (t > 0.0f && t < t_max) return t;
   return std::nullopt;

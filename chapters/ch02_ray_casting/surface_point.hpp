@@ -23,11 +23,13 @@ struct SurfacePoint {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
+// [rounding-bound]
 /// Bound on how far rounding moves a point off its surface: 4 epsilon (8 roundings) of the sum of
 /// all lengths that went into it.
 [[nodiscard]] inline float rounding_bound(float magnitude) {
   return 4.0f * std::numeric_limits<float>::epsilon() * magnitude;
 }
+// [rounding-bound]
 
 // [on-sphere]
 /// The point of `sphere` nearest to `near_it`, which is the ray's idea of where they met.

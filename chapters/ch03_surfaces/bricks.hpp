@@ -20,6 +20,7 @@ static_assert(courses % 2 == 0, "the last course must fit under the first one's 
 // [brick-size]
 
 // [brick-at]
+// [brick-plan]
 /// One point of a wall in running bond: each course is shifted by half a brick.
 inline PatternPoint bricks_at(vec2 uv) {
   using namespace brick_wall;
@@ -46,6 +47,7 @@ inline PatternPoint bricks_at(vec2 uv) {
   Rgb color = glm::mix(red, luck(1) < 0.7f ? straw : plum, 0.8f * luck(2) * luck(2));
   color *= 0.85f + 0.25f * luck(3);
   const vec2 tilt = vec2(luck(4), luck(5)) - 0.5f;
+  // [brick-plan]
 
   // Grain and pits, and the soot of years.
   const float pit = pits(uv, {110, 110}, 0.35f, 40);

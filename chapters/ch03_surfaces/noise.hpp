@@ -47,7 +47,7 @@ struct GridPoint {
   assert(cells.x >= 1 && cells.y >= 1);
   const vec2 p = (uv - glm::floor(uv)) * vec2(cells);
   const ivec2 cell(p);
-  return {{wrap(cell.x, cells.x), wrap(cell.y, cells.y)}, p - vec2(cell)};
+  return {{wrap_near(cell.x, cells.x), wrap_near(cell.y, cells.y)}, p - vec2(cell)};
 }
 // [grid]
 
@@ -67,7 +67,7 @@ struct GridPoint {
   // The plane through 0 at a corner of the cell, with that corner's slopes, both in [-1, 1].
   const auto plane = [&](int right, int down) {
     const std::uint32_t bits =
-        cell_bits(wrap(p.cell.x + right, cells.x), wrap(p.cell.y + down, cells.y), seed);
+        cell_bits(wrap_near(p.cell.x + right, cells.x), wrap_near(p.cell.y + down, cells.y), seed);
     const vec2 slope = vec2(bits & 0xffffU, bits >> 16) / 32767.5f - 1.0f;
     return dot(slope, p.within - vec2(right, down));
   };

@@ -14,8 +14,9 @@ namespace lt {
 struct Surface {
   SurfacePoint point;  ///< position and geometric normal, which points outward
   bool outside;        ///< the ray came from the side to which the geometric normal points
-  Frame frame;         ///< its normal is the *shading* normal, on the side from which the ray came
-  vec2 uv;             ///< place on the texture; u right, v down
+  Frame frame;         ///< its normal is the *shading* normal, on the side from which the ray came;
+                       ///< its tangent follows the texture; any tangent if there is none
+  vec2 uv;             ///< place on the texture, u right, v down; (0, 0) if there is none
   Material material;   ///< with the texel applied
 };
 // [surface]
@@ -37,10 +38,15 @@ struct Surface {
 [[nodiscard]] inline Surface surface_at(const TexturedScene& scene, const Ray& ray, Hit hit) {
   const Look& look = scene.looks[hit.object];
   const SurfacePoint point = surface_point(scene.shapes, ray, hit);
-  const TexturePoint on_texture = texture_point(scene, hit.object, point);
+  Surface surface{point, dot(ray.direction, point.normal) < 0.0f, frame_around(point.normal),
+                  vec2(0.0f), look.material};
 
-  Surface surface{point, dot(ray.direction, point.normal) < 0.0f,
-                  frame_along(point.normal, on_texture.tangent), on_texture.uv, look.material};
+  // Only who wears a texture needs a place on it: on a sphere that costs an atan2 and an acos.
+  if (look.color || look.normals) {
+    const TexturePoint on_texture = texture_point(scene, hit.object, point);
+    surface.frame = frame_along(point.normal, on_texture.tangent);
+    surface.uv = on_texture.uv;
+  }
   if (look.color) {
     const Rgb texel = bilinear(*look.color, surface.uv);
     surface.material.tint *= texel;

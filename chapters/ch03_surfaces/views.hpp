@@ -61,10 +61,13 @@ struct SurfaceViewOptions {
 
 /// What a ray that hits `surface` brings back.
 [[nodiscard]] inline Rgb view_color(const std::string& view, const Exhibit& exhibit,
-                                    const Surface& surface, const Ray& ray, float t) {
-  if (view == "uv") return as_code(vec3(glm::fract(surface.uv), 0.2f));
+                                    const Surface& surface, const Ray& ray, Hit hit) {
+  if (view == "uv") {  // asked for here, because who wears no texture has none in its Surface
+    const vec2 uv = texture_point(exhibit.scene, hit.object, surface.point).uv;
+    return as_code(vec3(glm::fract(uv), 0.2f));
+  }
   if (view == "normals") return direction_color(surface.frame.normal);
-  return lit(exhibit.lamp, surface, ray, t);
+  return lit(exhibit.lamp, surface, ray, hit.t);
 }
 
 /// The picture that `options` ask for.
@@ -88,7 +91,7 @@ struct SurfaceViewOptions {
       exhibit.camera, options.width, options.height, options.grid, [&](const Ray& ray) {
         const auto hit = closest_hit(exhibit.scene.shapes, ray);
         if (!hit) return Rgb(0.0f);
-        return view_color(view, exhibit, look_up(exhibit.scene, ray, *hit), ray, hit->t);
+        return view_color(view, exhibit, look_up(exhibit.scene, ray, *hit), ray, *hit);
       });
 }
 

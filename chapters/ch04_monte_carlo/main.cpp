@@ -28,7 +28,7 @@ bool parse(Options& options, int argc, char** argv) {
   lt::CommandLine line("ch04_monte_carlo", "Estimates pi, integrals and pictures by chance.");
   line.add_choice("--view", chance.view, lt::chance_views(), "what the picture shows");
   line.add_choice("--plot", options.plot, none_or(lt::chance_plots()), "draw a plot instead (SVG)");
-  line.add_choice("--table", options.table, {"none", "integrals", "errors", "mistakes"},
+  line.add_choice("--table", options.table, {"none", "integrals", "errors", "mistakes", "costs"},
                   "print numbers instead");
   line.add_int("--samples", chance.samples, 16, 10'000'000, "darts, dots, samples of a plot");
   line.add_flag("--stratified", chance.is_stratified, "one sample in each of equal parts");

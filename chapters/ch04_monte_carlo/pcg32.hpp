@@ -13,6 +13,7 @@ namespace lt {
 /// PCG32 (O'Neill 2014, XSH-RR 64/32): 2^64 numbers until it repeats, and 2^63 different sequences.
 class Pcg32 {
  public:
+  // [pcg32-step]
   /// @param seed      where in the sequence to start
   /// @param sequence  which one; only its lower 63 bits count
   constexpr explicit Pcg32(std::uint64_t seed, std::uint64_t sequence = 0)
@@ -30,6 +31,7 @@ class Pcg32 {
     const auto turn = static_cast<std::uint32_t>(old >> 59);
     return mixed >> turn | mixed << (-turn & 31);
   }
+  // [pcg32-step]
 
   /// Uniform in [0, 1).
   constexpr float next_float() { return unit_float(next_bits()); }

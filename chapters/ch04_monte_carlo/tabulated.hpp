@@ -54,6 +54,7 @@ class TabulatedDensity {
   /// The share of samples that fall into a bin.
   [[nodiscard]] double probability(int bin) const { return cdf_[bin + 1] - cdf_[bin]; }
 
+  // [table-sample]
   /// @param u  in [0, 1)
   /// @return in a bin that is not empty, and not on its edges
   [[nodiscard]] double sample(double u) const {
@@ -62,6 +63,7 @@ class TabulatedDensity {
     const double offset = (u - cdf_[bin]) / probability(bin);
     return (bin + std::clamp(offset, margin, 1 - margin)) / bins();
   }
+  // [table-sample]
 
   [[nodiscard]] double pdf(double x) const {
     return x >= 0 && x < 1 ? probability(bin_at(x)) * bins() : 0;

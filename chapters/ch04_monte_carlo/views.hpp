@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ch04_monte_carlo/costs.hpp"
 #include "ch04_monte_carlo/density_plots.hpp"
 #include "ch04_monte_carlo/dots.hpp"
 #include "ch04_monte_carlo/mistake_plots.hpp"
@@ -94,10 +95,11 @@ struct ChanceOptions {
   return name == "thesis" ? thesis_plot(seed) : offset_plot(seed);
 }
 
-/// @param name  integrals, errors or mistakes
+/// @param name  integrals, errors, mistakes or costs
 [[nodiscard]] inline std::string make_table(const std::string& name, int samples,
                                             std::uint64_t seed) {
   if (name == "integrals") return integral_table(samples, seed);
+  if (name == "costs") return cost_table();
   return name == "errors" ? error_table(seed) : mistake_table(samples, seed);
 }
 

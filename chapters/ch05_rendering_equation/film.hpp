@@ -15,7 +15,7 @@
 
 namespace lt {
 
-// [film]
+// [film-pixel]
 /// Sums and counts of a pixel's samples, in double: a thousand small numbers added to a large one
 /// must not be lost.
 struct FilmPixel {
@@ -23,6 +23,7 @@ struct FilmPixel {
   std::int64_t count = 0;
   std::int64_t bad = 0;  ///< samples that were negative, infinite or NaN: counted, not repaired
 };
+// [film-pixel]
 
 /// A picture that is being estimated.
 class Film {
@@ -36,6 +37,7 @@ class Film {
   [[nodiscard]] FilmPixel& at(int x, int y) { return pixels_[index(x, y)]; }
   [[nodiscard]] const FilmPixel& at(int x, int y) const { return pixels_[index(x, y)]; }
 
+  // [film-add]
   /// Takes one more sample of pixel (x, y) into account, W/(m^2 sr), whatever it is.
   void add(int x, int y, Rgb sample) {
     FilmPixel& pixel = at(x, y);
@@ -45,6 +47,7 @@ class Film {
     const float total = sample.r + sample.g + sample.b;
     if (!(least >= 0.0f && std::isfinite(total))) ++pixel.bad;
   }
+  // [film-add]
 
  private:
   [[nodiscard]] std::size_t index(int x, int y) const {
@@ -55,7 +58,6 @@ class Film {
   int height_;
   std::vector<FilmPixel> pixels_;
 };
-// [film]
 
 // [developed]
 /// The mean of every pixel's samples; black where there is none.

@@ -42,7 +42,8 @@ void run(const Options& options, const std::atomic<bool>& cancel) {
     write(show, options.picture, out, cancel);
   }
   if (cancel) std::cout << "stopped early\n";
-  if (std::filesystem::exists(out)) std::cout << "wrote " << lt::printable(out.string()) << '\n';
+  const bool is_written = options.plot == "none" || !cancel;  // half a plot is none
+  if (is_written) std::cout << "wrote " << lt::printable(out.string()) << '\n';
 }
 
 }  // namespace

@@ -28,10 +28,12 @@ struct LambertWithoutPi : UniformLambert {
 };
 // [no-pi]
 
+/// Every surface as matt as chalk, but for the cosine.
 [[nodiscard]] inline LambertWithoutCosine without_cosine_at(const Surface& surface) {
   return {{surface.material.tint}};
 }
 
+/// Every surface as matt as chalk, but for pi.
 [[nodiscard]] inline LambertWithoutPi without_pi_at(const Surface& surface) {
   return {{surface.material.tint}};
 }

@@ -62,12 +62,14 @@ struct NoiseLaw {
 }
 // [fit-noise]
 
+/// The measured noise, and the line through it.
+/// @param measured  two at least
 [[nodiscard]] inline Plot noise_plot(const std::vector<NoiseAt>& measured) {
   const NoiseLaw law = fit_noise(measured);
   char label[40];
   std::snprintf(label, sizeof label, "slope %.2f", law.slope);
   Series points{"", {}, {}, false, true};
-  Series line{label, {}, {}};
+  Series line{label, {}, {}, true, false, 0};
   for (const NoiseAt& at : measured) {
     points.x.push_back(at.samples);
     points.y.push_back(at.noise);
@@ -114,7 +116,7 @@ struct NoiseLaw {
   for (const float albedo : {0.8f, 0.5f}) {
     char label[40];
     std::snprintf(label, sizeof label, "albedo %.1f", albedo);
-    Series line{label, {}, {}};
+    Series line{label, {}, {}, true, false, static_cast<int>(plot.series.size())};
     Series dots{"", {}, {}, false, true};
     for (int depth = 0; depth <= 16; ++depth) {
       line.x.push_back(depth);

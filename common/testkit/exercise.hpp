@@ -1,5 +1,6 @@
 /// @file
-/// What an exercise's test.cpp is written with. The lines it prints are read by `./learn`:
+/// What an exercise's test.cpp is written with, close_to() included. The lines it prints are read
+/// by `./learn`:
 ///   [not-written] file:line: what to do
 ///   [diag:TAG] what was seen
 ///   [measured] what the right answer showed
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "common/testkit/catch.hpp"
+#include "common/testkit/close_to.hpp"
 #include "common/testkit/not_written.hpp"
 
 namespace lt {

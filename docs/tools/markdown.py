@@ -17,6 +17,7 @@ from svg import inline_svg
 OPEN, CLOSE = "\ue000", "\ue001"            # OPEN number CLOSE: a fragment
 SHIELD = 0xE100                             # chr(SHIELD + ord(c)): the character c, not markup
 MARK = re.compile(f"{OPEN}(\\d+){CLOSE}")
+EXACT = "\ue002"                            # before pictures shown pixel by pixel
 SHIELDED = re.compile("[\ue100-\ue17f]")
 
 INLINE_TAGS = {"br", "code", "kbd", "sub", "sup", "i", "b", "em", "strong", "small", "span", "a"}
@@ -287,14 +288,15 @@ class Translator:
         return f"<span>{self.inline_html(match[1])}</span>{commands}"
 
     def figure(self, match):
-        images = re.findall(r"!\[([^\]]*)\]\(([^)\s]+)\)", match[1])
-        caption = self.caption(match[2]) if match[2] else None
-        if match[2] and caption is None:
-            return match[0]
+        images = re.findall(r"!\[([^\]]*)\]\(([^)\s]+)\)", match[2])
+        caption = self.caption(match[3]) if match[3] else None
+        if match[3] and caption is None:
+            return match[0].removeprefix(EXACT)
         body = "".join(self.image(alt, target) for alt, target in images)
+        exact = " exact" if match[1] else ""  # the page's width cuts it and never scales it
         several = " strip" if len(images) > 1 else ""
         drawn = " drawn" if all(t.endswith(".svg") for _, t in images) else ""
-        text = f'<figure class="figure{several}{drawn}">{body}'
+        text = f'<figure class="figure{several}{drawn}{exact}">{body}'
         return self.block(text + (f"<figcaption>{caption}</figcaption>" if caption else "")
                           + "</figure>")
 
@@ -332,6 +334,7 @@ class Translator:
         text = re.sub(r"^<!-- compare -->\n(.*?)^<!-- /compare -->\n(?:\n?(\*(?!\*|\s).*?)(?=\n\n|\Z))?",
                       self.compare, text, flags=re.S | re.M)
         text = re.sub(r"<!-- widget: (.*?) -->", lambda m: self.block(m[1]), text, flags=re.S)
+        text = re.sub(r"^<!-- exact -->\n(?=!\[)", EXACT, text, flags=re.M)
         text = re.sub(r"<!-- (?:demo: )?([\w-]+) -->", self.directive, text)
         text = re.sub(r"<!--.*?-->", "", text, flags=re.S)
         text = re.sub(r"^> \[!(NOTE|TIP|IMPORTANT|WARNING|CAUTION)\][ \t]*\n((?:>.*\n?)*)",
@@ -340,7 +343,7 @@ class Translator:
                       lambda m: self.block(f"<details><summary>{self.unlinked(self.inline_html(m[1]))}</summary>"),
                       text, flags=re.S | re.M)
         text = re.sub(r"^</details>", lambda m: self.block("</details>"), text, flags=re.M)
-        text = re.sub(r"^((?:!\[[^\]]*\]\([^)\s]+\)[ \t]*\n?)+)(?:\n?^(\*(?!\*|\s).*?))?(?=\n\n|\n*\Z)",
+        text = re.sub(rf"^({EXACT})?((?:!\[[^\]]*\]\([^)\s]+\)[ \t]*\n?)+)(?:\n?^(\*(?!\*|\s).*?))?(?=\n\n|\n*\Z)",
                       self.figure, text, flags=re.S | re.M)
         text = re.sub(r"^\$\$(.+?)\$\$[ \t]*$",
                       lambda m: f"\n\n{self.formula(m[1], display=True)}\n\n", text,

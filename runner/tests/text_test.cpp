@@ -14,9 +14,10 @@ TEST_CASE("text: edit distance counts insertions, deletions, replacements and sw
 
 TEST_CASE("text: did you mean the nearest ones") {
   const std::vector<std::string> commands{"hint", "list", "next", "render", "reset", "run", "test"};
-  CHECK(did_you_mean("lsit", commands) == " - did you mean list?");
-  CHECK(did_you_mean("rend", commands) == " - did you mean render?");
-  CHECK(did_you_mean("rest", commands) == " - did you mean reset or test?");
+  CHECK(did_you_mean("lsit", commands) == ": did you mean list?");
+  CHECK(did_you_mean("rend", commands, "see help") == ": did you mean render?");
+  CHECK(did_you_mean("rest", commands) == ": did you mean reset or test?");
+  CHECK(did_you_mean("photosynthesis", commands, "see help") == "; see help");
   CHECK(did_you_mean("photosynthesis", commands).empty());
   CHECK(did_you_mean("", commands).empty());
 }

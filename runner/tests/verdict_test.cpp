@@ -40,8 +40,8 @@ ProcessResult failed(const std::string& output) {
 
 TEST_CASE("verdict: the first TODO is named with its line") {
   const Verdict v =
-      verdict(failed("[not-written] /home/a b/my/02.2-sphere.cpp:12: find the root\n"
-                     "[not-written] /home/a b/my/02.2-sphere.cpp:20: turn the normal\n"));
+      verdict(failed("[not-written] /course of a b/my/02.2-sphere.cpp:12: find the root\n"
+                     "[not-written] /course of a b/my/02.2-sphere.cpp:20: turn the normal\n"));
   CHECK(v.kind == VerdictKind::not_started);
   CHECK(v.line == 12);
   CHECK(v.says == "find the root");
@@ -85,7 +85,21 @@ TEST_CASE("verdict: a failing check is told as its test case's sentence with val
   const std::string details = join(v.details, "\n");
   CHECK(details.find("t == Approx(3.0)\n") != std::string::npos);
   CHECK(details.find("2.0 == Approx( 3.0 )\n") != std::string::npos);
-  CHECK(details.find("'seed 4'") != std::string::npos);
+  CHECK(details.find("about it: seed 4\n") != std::string::npos);
+}
+
+TEST_CASE("verdict: long values, which Catch2 breaks into lines, are told whole") {
+  const Verdict v =
+      verdict(failed(""),
+              "test.cpp:3: failed: f(v) == close_to(w) for: (0.123456789, 0.5, 0.25)\n"
+              "==\n"
+              "close to (0.987654321, 0.5, 0.25) with 1 message: 'seed 4'\n"
+              "test.cpp:6: failed: t == 3 for: 2 == 3\n"
+              "Failed 2 test cases, failed 2 assertions.\n");
+  CHECK(v.details == std::vector<std::string>{
+                         "checked:  f(v) == close_to(w)",
+                         "there:    (0.123456789, 0.5, 0.25) == close to (0.987654321, 0.5, 0.25)",
+                         "about it: seed 4", "(test.cpp, line 3)"});
 }
 
 TEST_CASE("verdict: an exception is told with its words") {
@@ -104,6 +118,32 @@ TEST_CASE("verdict: a crash names signal and check in words") {
   CHECK(v.kind == VerdictKind::not_yet);
   CHECK(v.says.find("memory that is not its own (SIGSEGV)") != std::string::npos);
   CHECK(v.says.find("a ray from inside hits") != std::string::npos);
+}
+
+TEST_CASE("verdict: an index out of range is told in words and not printed twice") {
+  ProcessResult result;
+  result.signal = SIGABRT;
+  result.output =
+      "hello\n/usr/include/c++/12/bits/stl_vector.h:1142: constexpr const_reference "
+      "std::vector<_Tp, _Alloc>::operator[](size_type) const [with _Tp = double; _Alloc = "
+      "std::allocator<double>; size_type = long unsigned int]: Assertion '__n < this->size()' "
+      "failed.\n";
+  const Verdict v = verdict(result);
+  CHECK(v.details == std::vector<std::string>{"an index into a std::vector is not less than its "
+                                              "size"});
+  CHECK(v.printed == std::vector<std::string>{"hello"});
+}
+
+TEST_CASE("verdict: another assertion of the library is told from its point on") {
+  ProcessResult result;
+  result.signal = SIGABRT;
+  result.output =
+      "/usr/include/c++/12/optional:477: constexpr _Tp& std::optional<_Tp>::_M_get(): Assertion "
+      "'this->_M_is_engaged()' failed.\n";
+  CHECK(verdict(result).details ==
+        std::vector<std::string>{"std::optional: Assertion 'this->_M_is_engaged()' failed."});
+  result.output = "prog: a.cpp:3: int f(int): Assertion `x > 0' failed.\n";
+  CHECK(verdict(result).details == std::vector<std::string>{"Assertion `x > 0' failed."});
 }
 
 TEST_CASE("verdict: time that is over asks for the loop") {
@@ -134,12 +174,12 @@ TEST_CASE("verdict: output that means nothing to us is no crash of ours") {
 TEST_CASE("build error: the first one in the learner's file, with its line of code") {
   const std::string gcc =
       "In file included from api.hpp:3,\n"
-      "/home/x/my/02.2-sphere.cpp: In function 'double f(double)':\n"
-      "/home/x/my/02.2-sphere.cpp:7:10: warning: unused variable 'a' [-Wunused-variable]\n"
-      "/home/x/my/02.2-sphere.cpp:8:17: error: 'y' was not declared in this scope\n"
+      "/course/my/02.2-sphere.cpp: In function 'double f(double)':\n"
+      "/course/my/02.2-sphere.cpp:7:10: warning: unused variable 'a' [-Wunused-variable]\n"
+      "/course/my/02.2-sphere.cpp:8:17: error: 'y' was not declared in this scope\n"
       "    8 |   return x / 2 + y;\n"
       "      |                  ^\n"
-      "/home/x/my/02.2-sphere.cpp:9:1: error: expected '}' at end of input\n";
+      "/course/my/02.2-sphere.cpp:9:1: error: expected '}' at end of input\n";
   const auto error = first_build_error(gcc, "my/02.2-sphere.cpp");
   REQUIRE(error);
   CHECK(error->line == 8);
@@ -167,7 +207,7 @@ TEST_CASE("build error: clang and MSVC are read as well") {
 TEST_CASE("build error: an error inside a library is told at the learner's line") {
   const auto error = first_build_error(
       "/usr/include/glm/x.hpp: In instantiation of 'float glm::length(float)':\n"
-      "/home/x/my/02.2-sphere.cpp:14:21:   required from here\n"
+      "/course/my/02.2-sphere.cpp:14:21:   required from here\n"
       "/usr/include/glm/x.hpp:88:3: error: static assertion failed: needs a vector\n",
       "my/02.2-sphere.cpp");
   REQUIRE(error);

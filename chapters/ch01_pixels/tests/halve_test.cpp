@@ -48,7 +48,7 @@ TEST_CASE("halve: black and white squares become half the light - code 188") {
   for (int y = 0; y < 2; ++y)
     for (int x = 0; x < 2; ++x) {
       CHECK(half.at(x, y) == Rgb(0.5f));
-      CHECK(lt::to_code(half.at(x, y).g) == 188);
+      CHECK(int{lt::to_code(half.at(x, y).g)} == 188);
     }
 }
 

@@ -53,9 +53,19 @@ TEST_CASE("surface: a plain object has its material, its normal, and a frame aro
   CHECK(surface.material.roughness == 0.4f);
   CHECK(surface.frame.normal == surface.point.normal);
   CHECK(distance(surface.frame.normal, vec3(0, 0, -1)) < 1e-6f);
-  CHECK(distance(surface.frame.tangent, vec3(1, 0, 0)) < 1e-6f);     // east is right
-  CHECK(distance(surface.frame.bitangent, vec3(0, -1, 0)) < 1e-6f);  // south is down
+  CHECK(distance(cross(surface.frame.tangent, surface.frame.bitangent), vec3(0, 0, -1)) < 1e-6f);
   CHECK(surface.outside);
+}
+
+TEST_CASE("surface: with a texture of either kind the frame lies as the texture does") {
+  for (const bool is_color : {true, false}) {
+    TexturedScene scene = one_sphere();
+    (is_color ? scene.looks[0].color : scene.looks[0].normals) = one_color({0.5f, 0.5f, 1.0f});
+    const Surface surface = seen(scene, {{0.2f, -0.1f, 0}, {0, 0, 1}});
+    CHECK(distance(surface.frame.tangent, vec3(1, 0, 0)) < 1e-6f);     // east is right
+    CHECK(distance(surface.frame.bitangent, vec3(0, -1, 0)) < 1e-6f);  // south is down
+    CHECK(distance(surface.uv, vec2(0.5f, 0.5f)) < 1e-6f);             // seen from the front
+  }
 }
 
 TEST_CASE("surface: the texel multiplies tint and emission, and nothing else") {
@@ -69,8 +79,9 @@ TEST_CASE("surface: the texel multiplies tint and emission, and nothing else") {
 }
 
 TEST_CASE("surface: a flat normal map changes nothing") {
-  const TexturedScene plain = one_sphere();
-  TexturedScene mapped = one_sphere();
+  TexturedScene plain = one_sphere();
+  plain.looks[0].color = one_color(Rgb(1.0f));  // white changes nothing, but makes it lie
+  TexturedScene mapped = plain;
   mapped.looks[0].normals = one_color({0.5f, 0.5f, 1.0f});
   RandomInput random(1);
   for (int i = 0; i < 1000; ++i) {

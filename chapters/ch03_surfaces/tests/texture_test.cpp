@@ -39,6 +39,12 @@ TEST_CASE("wrap: every whole number finds its texel") {
   CHECK(wrap(-7, 1) == 0);
 }
 
+TEST_CASE("wrap: for neighbours the short way round is the long way's texel") {
+  for (const int n : {1, 2, 7})
+    for (int i = -n; i < 2 * n; ++i)
+      CHECK(wrap_near(i, n) == wrap(i, n));
+}
+
 TEST_CASE("bilinear: the middle of a texel is exactly that texel") {
   const Image texture = numbered(8, 4);  // powers of two: (i + 0.5) / width is exact
   for (int y = 0; y < 4; ++y)

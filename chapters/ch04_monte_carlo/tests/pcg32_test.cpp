@@ -114,6 +114,7 @@ TEST_CASE("PCG32: x is drawn before y before z, whatever the compiler") {
   CHECK(other.next_vec3() == vec3(x, y, z));
   Pcg32 third(5);
   CHECK(third.next_vec2() == vec2(x, y));
+  CHECK(z == unit_float(third.next_bits()));
 }
 
 TEST_CASE("PCG32, a mistake: two draws in one argument list come in either order") {

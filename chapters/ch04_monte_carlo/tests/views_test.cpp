@@ -69,6 +69,12 @@ TEST_CASE("photons: one in each part leaves less than one part's error") {
   // A part that holds the light at share s of it has variance s (1 - s) / 16^2, at most 1/4.
   CHECK(errors.variance() < 0.25 / 256);
   CHECK(errors.variance() < errors_of(small_photons(16)).variance() / 4);
+
+  RunningMean pixels;  // all of the same light, which lies inside a part, 0.3 = 4.8 / 16
+  for (int x = 0; x < 10'000; ++x)
+    pixels.add(photon_pixel(options, Rgb(0.3f), x, 0, 16).g);
+  CHECK(z_test(pixels, 0.3f).agrees());
+  CHECK(pixels.variance() == Approx(0.8 * 0.2 / 256).epsilon(0.1));
 }
 
 TEST_CASE("photons: the same picture for any number of threads, another for another seed") {

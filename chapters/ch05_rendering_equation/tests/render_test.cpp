@@ -53,17 +53,20 @@ TEST_CASE("render: samples lie evenly anywhere in their pixel") {
   Camera camera;
   camera.field_of_view = 2 * std::atan(4.0f);
   const auto film_place = [](const Ray& ray, Pcg32&) {
-    return Rgb(4.0f + ray.direction.x / ray.direction.z, 3.0f - ray.direction.y / ray.direction.z,
-               0.0f);
+    const float x = 4.0f + ray.direction.x / ray.direction.z;
+    const float within = x - std::floor(x);
+    return Rgb(x, 3.0f - ray.direction.y / ray.direction.z, within * within);
   };
   Film film(8, 6);
   render(film, camera, film_place, {.last = 10'000}, never);
   const double standard_error = std::sqrt(1.0 / 12 / 10'000);
+  const double of_squares = std::sqrt(4.0 / 45 / 10'000);  // E[u^4] - E[u^2]^2 = 1/5 - 1/9
   for (int y = 0; y < 6; ++y)
     for (int x = 0; x < 8; ++x) {
       const glm::dvec3 mean = film.at(x, y).sum / 10'000.0;
       REQUIRE(z_test(mean.x, standard_error, x + 0.5).agrees());
       REQUIRE(z_test(mean.y, standard_error, y + 0.5).agrees());
+      REQUIRE(z_test(mean.z, of_squares, 1.0 / 3).agrees());
     }
 }
 

@@ -43,9 +43,17 @@ TEST_CASE("two black and two white pixels become half the light") {
   // The mean of codes 0, 255, 255, 0 is 127.5.
   lt::diagnose(code != 127 && code != 128, "average-encoded",
                gave("A checker of black and white", code, 188));
-  lt::diagnose(code != 0 && code != 255, "one-of-four",
-               gave("A checker of black and white", code, 188));
-  CHECK(code == 188);
+  CHECK(code_of_block(0.0, 1.0, 1.0, 0.0) == 188);
+}
+
+TEST_CASE("all four pixels of a block count") {
+  // The mean is 0.375: 255 * (1.055 * 0.375^(1/2.4) - 0.055) = 164.7.
+  const int code = code_of_block(0.1, 0.2, 0.4, 0.8);
+  bool is_one_of_them = false;
+  for (const double light : {0.1, 0.2, 0.4, 0.8})
+    is_one_of_them = is_one_of_them || code == exercise::to_code(light);
+  lt::diagnose(!is_one_of_them, "one-of-four", gave("The block 0.1, 0.2, 0.4, 0.8", code, 165));
+  CHECK(code_of_block(0.1, 0.2, 0.4, 0.8) == 165);
 }
 
 TEST_CASE("a lamp keeps its light until the end") {
@@ -53,7 +61,7 @@ TEST_CASE("a lamp keeps its light until the end") {
   // 0.5: code 188.
   const int code = code_of_block(4.0, 0.0, 4.0, 0.0);
   lt::diagnose(code != 188, "clamp-first", gave("The block 4, 0, 4, 0", code, 255));
-  CHECK(code == 255);
+  CHECK(code_of_block(4.0, 0.0, 4.0, 0.0) == 255);
   CHECK(code_of_block(2.0, 0.0, 0.0, 0.0) == 188);  // half the light of white, all from one lamp
 }
 
@@ -61,10 +69,13 @@ TEST_CASE("each block is made of its own four pixels") {
   const std::vector<int> codes = exercise::halved_codes({4,
                                                          2,
                                                          {0.0, 0.0, 1.0, 1.0,  //
-                                                          0.0, 0.0, 0.0, 0.0}});
+                                                          0.0, 0.0, 0.6, 0.6}});
   REQUIRE(codes.size() == 2);
-  lt::diagnose(codes[0] == 0, "wrong-stride", gave("The black left block", codes[0], 0));
-  CHECK(codes[1] == 188);
+  // With a new row after 2 numbers instead of 4, the left block is 0, 0, 1, 1: half the light.
+  lt::diagnose(codes[0] != 188, "wrong-stride",
+               gave("The left block, which is black,", codes[0], 0));
+  CHECK(codes[0] == 0);
+  CHECK(codes[1] == 231);  // light 0.8: 255 * (1.055 * 0.8^(1/2.4) - 0.055) = 231.1
 }
 
 TEST_CASE("random pictures of any shape become smaller without losing light") {
@@ -78,7 +89,8 @@ TEST_CASE("random pictures of any shape become smaller without losing light") {
         for (int x = 0; x < width / 2; ++x) {
           const double light = mean_of_block(picture, x, y);
           const int code = codes[static_cast<std::size_t>(y * (width / 2) + x)];
-          INFO("block (" << x << ", " << y << ") of " << width << " x " << height);
+          INFO("new pixel (" << x << ", " << y << ") of a picture of " << width << " x " << height
+                             << ": mean light " << light);
           // The order of the sum may move light that lies between two codes to either.
           REQUIRE(code >= exercise::to_code(light - 1e-5));
           REQUIRE(code <= exercise::to_code(light + 1e-5));

@@ -13,23 +13,24 @@ using exercise::bumped_normal;
 using exercise::Frame;
 using exercise::frame_around;
 using glm::dvec3;
-using glm::ivec3;
+using lt::close_to;
 
 const double pi = std::acos(-1.0);
 
+// To three decimals: 5e-8 is 0, and not -0.
+double rounded(double x) {
+  return std::isnan(x) ? std::abs(x) : std::round(1000 * x) / 1000 + 0.0;
+}
+
 std::string shown(dvec3 v) {
   std::ostringstream text;
-  text.precision(3);
-  text << '(' << v.x << ", " << v.y << ", " << v.z << ')';
+  text << '(' << rounded(v.x) << ", " << rounded(v.y) << ", " << rounded(v.z) << ')';
   return text.str();
 }
 
-bool is_near(dvec3 a, dvec3 b, double tolerance) {
-  return glm::distance(a, b) <= tolerance;  // false for NaN
-}
-
-bool is_finite(dvec3 v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+std::string shown(const Frame& f) {
+  return "Around " + shown(f.normal) + " the tangent is " + shown(f.tangent) +
+         " and the bitangent " + shown(f.bitangent);
 }
 
 // Degrees between two directions.
@@ -37,13 +38,23 @@ double angle(dvec3 a, dvec3 b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180.0 / pi;
 }
 
-// The largest deviation from unit, perpendicular and right-handed.
+// How far the axes are from unit, perpendicular and in the right order; huge if one is NaN.
 double flaw(const Frame& f) {
-  if (!is_finite(f.tangent) || !is_finite(f.bitangent)) return 1e9;
-  return std::max({std::abs(glm::length(f.tangent) - 1), std::abs(glm::length(f.bitangent) - 1),
-                   std::abs(glm::dot(f.tangent, f.bitangent)),
-                   std::abs(glm::dot(f.tangent, f.normal)),
-                   glm::distance(glm::cross(f.tangent, f.bitangent), f.normal)});
+  const double sum = std::abs(glm::length(f.tangent) - 1) + std::abs(glm::length(f.bitangent) - 1) +
+                     std::abs(glm::dot(f.tangent, f.bitangent)) +
+                     glm::distance(glm::cross(f.tangent, f.bitangent), f.normal);
+  return std::isfinite(sum) ? sum : 1e9;
+}
+
+// The worst of the frames around an axis of the world and next to it, where a sum of -1 and nearly
+// 1 has lost its digits.
+Frame worst_frame_at(dvec3 axis) {
+  Frame worst = frame_around(axis);
+  for (const double tiny : {1e-12, 1e-9, 1e-8, 1e-7, 1e-5}) {
+    const Frame next = frame_around(glm::normalize(axis + tiny * dvec3(axis.y, axis.z, axis.x)));
+    if (flaw(next) > flaw(worst)) worst = next;
+  }
+  return worst;
 }
 
 // A frame whose axes are easy to tell apart: the floor's.
@@ -53,83 +64,85 @@ const Frame floor_frame{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
 
 TEST_CASE("a flat texel leaves the normal where it is") {
   const dvec3 flat = bumped_normal(floor_frame, {128, 128, 255});
-  // Red and green of 0.502 kept as they are lean by 35 degrees to (+, +). Decoded from sRGB first,
-  // 128 becomes 0.216, which is -0.568 from -1 to 1: 39 degrees to (-, -).
-  const dvec3 kept = glm::normalize(dvec3(0.502, 1.0, -0.502));
-  const dvec3 decoded = glm::normalize(dvec3(-0.568, 1.0, 0.568));
   const std::string seen =
       "(128, 128, 255) on the floor gave " + shown(flat) + " and should give about (0, 1, 0).";
-  const dvec3 direction = is_finite(flat) ? flat / std::max(glm::length(flat), 1e-9) : flat;
-  lt::diagnose(!is_near(direction, kept, 0.02), "no-remap-to-minus-one", seen);
-  lt::diagnose(!is_near(direction, decoded, 0.02), "srgb-decoded-normals", seen);
+  // Red and green of 128 / 255 = 0.502, kept as they are, lean by 35 degrees to (+, +). Decoded
+  // from sRGB first, 128 becomes 0.216, which is -0.568 from -1 to 1: 39 degrees to (-, -).
+  const bool is_kept = angle(flat, {0.502, 1.0, -0.502}) < 1.0;
+  const bool is_decoded = angle(flat, {-0.568, 1.0, 0.568}) < 1.0;
+  lt::diagnose(!is_kept, "no-remap-to-minus-one", seen);
+  lt::diagnose(!is_decoded, "srgb-decoded-normals", seen);
+  INFO(seen);
   CHECK(angle(flat, {0, 1, 0}) < 0.4);  // 8 bits have no middle: 128 is 0.32 degrees off
 }
 
 TEST_CASE("red leans along the tangent and green along the bitangent") {
   // 2 * 218 / 255 - 1 = 0.7098: about 45 degrees.
-  const dvec3 red = bumped_normal(floor_frame, {218, 128, 218});
-  const dvec3 green = bumped_normal(floor_frame, {128, 218, 218});
   const double s = std::sqrt(0.5);
-  CHECK(is_near(red, {s, s, 0}, 0.01));
-  CHECK(is_near(green, {0, s, -s}, 0.01));
+  const dvec3 green = bumped_normal(floor_frame, {128, 218, 218});
+  lt::diagnose(angle(green, {0, s, s}) > 1.0, "green-upside-down",
+               "(128, 218, 218) on the floor gave " + shown(green) +
+                   " and should give about (0, 0.707, -0.707).");
+  CHECK(bumped_normal(floor_frame, {128, 218, 218}) == close_to(dvec3(0, s, -s), 0.01));
+  CHECK(bumped_normal(floor_frame, {218, 128, 218}) == close_to(dvec3(s, s, 0), 0.01));
 }
 
-TEST_CASE("every bumped normal is unit") {
-  // From -1 to 1 that is (0.5686, -0.5294, 0.4118), a vector of length 0.8793.
-  const dvec3 n = bumped_normal(floor_frame, {200, 60, 180});
-  const double length = glm::length(n);
-  lt::diagnose(std::abs(length - 0.8793) > 1e-3, "length-not-one",
+TEST_CASE("a bumped normal is unit, whatever the codes") {
+  // From -1 to 1 that is (0.569, -0.529, 0.412), a vector of length 0.879.
+  const double length = glm::length(bumped_normal(floor_frame, {200, 60, 180}));
+  lt::diagnose(!std::isfinite(length) || length == close_to(1.0), "length-not-one",
                "(200, 60, 180) gave a normal of length " + std::to_string(length) + ".");
+  CHECK(glm::length(bumped_normal(floor_frame, {200, 60, 180})) == close_to(1.0));
+}
+
+TEST_CASE("a bumped normal points where its codes say") {
   for (const auto seed : lt::seeds()) {
     lt::TestRandom random(seed);
     for (int i = 0; i < 100; ++i) {
-      const auto code = [&] { return static_cast<int>(random.uniform(0, 256)); };
-      const int red = code();
-      const int green = code();
-      const int blue = 128 + code() / 2;
+      const int red = static_cast<int>(random.uniform(0, 256));
+      const int green = static_cast<int>(random.uniform(0, 256));
+      // Blue below 128 would look into the wall; chapter 3 lets none come nearer to it than 129.
+      const int blue = static_cast<int>(random.uniform(129, 256));
       const dvec3 bumped = bumped_normal(floor_frame, {red, green, blue});
-      INFO("code " << red << ' ' << green << ' ' << blue);
-      REQUIRE(std::abs(glm::length(bumped) - 1.0) < 1e-9);
+      INFO("code (" << red << ", " << green << ", " << blue << ") on the floor");
       const dvec3 local = dvec3(red, blue, 255 - green) / 127.5 - 1.0;
-      REQUIRE(angle(bumped, local) < 0.01);
+      REQUIRE(bumped == close_to(glm::normalize(local)));
     }
   }
 }
 
-TEST_CASE("frames are right-handed for every normal") {
+TEST_CASE("a frame has three perpendicular unit vectors, and tangent x bitangent is the normal") {
   const Frame slanted = frame_around(glm::normalize(dvec3(1, 2, 3)));
-  const dvec3 handed = glm::cross(slanted.tangent, slanted.bitangent);
-  lt::diagnose(
-      !is_near(handed, -slanted.normal, 1e-6), "left-handed-frame",
-      "around " + shown(slanted.normal) + " tangent x bitangent is " + shown(handed) + ".");
-  // Not only at the pole itself: next to it the sum of -1 and nearly 1 has lost its digits.
-  double at_pole = 0.0;
-  for (const double tiny : {0.0, 1e-12, 1e-9, 1e-8, 1e-7}) {
-    const double z = -std::sqrt(1.0 - 2 * tiny * tiny);
-    at_pole = std::max(at_pole, flaw(frame_around({tiny, -tiny, z})));
+  const dvec3 third = glm::cross(slanted.tangent, slanted.bitangent);
+  lt::diagnose(!(third == close_to(-slanted.normal)), "mirrored-frame",
+               "Around " + shown(slanted.normal) + " tangent x bitangent is " + shown(third) + ".");
+  for (const dvec3 axis : {dvec3(0, 0, -1), dvec3(0, 0, 1), dvec3(0, -1, 0), dvec3(0, 1, 0),
+                           dvec3(-1, 0, 0), dvec3(1, 0, 0)}) {
+    const Frame worst = worst_frame_at(axis);
+    lt::diagnose(flaw(worst) < 1e-6 || flaw(slanted) > 1e-6, "breaks-at-an-axis",
+                 shown(worst) + ".");
   }
-  const double elsewhere = flaw(slanted);
-  lt::diagnose(!(at_pole > 1e-6 && elsewhere < 1e-6), "breaks-at-minus-z",
-               "Around (0, 0, -1), or next to it, the axes are not perpendicular unit vectors.");
-  CHECK(at_pole < 1e-9);
   for (const auto seed : lt::seeds()) {
     lt::TestRandom random(seed);
     for (int i = 0; i < 100; ++i) {
       const dvec3 normal = random.direction();
-      INFO("normal " << shown(normal));
       const Frame frame = frame_around(normal);
-      REQUIRE(frame.normal == normal);
-      REQUIRE(flaw(frame) < 1e-9);
+      INFO(shown(frame));
+      REQUIRE(frame.normal == close_to(normal));
+      REQUIRE(glm::length(frame.tangent) == close_to(1.0));
+      REQUIRE(glm::length(frame.bitangent) == close_to(1.0));
+      REQUIRE(glm::dot(frame.tangent, frame.bitangent) == close_to(0.0));
+      REQUIRE(glm::cross(frame.tangent, frame.bitangent) == close_to(normal));
     }
   }
 }
 
-TEST_CASE("a hundred thousand frames are flawless") {
+TEST_CASE("a hundred thousand frames hold") {
   lt::TestRandom random(1);
   double worst = 0.0;
   for (int i = 0; i < 100'000; ++i)
     worst = std::max(worst, flaw(frame_around(random.direction())));
-  CHECK(worst < 1e-9);
+  CHECK(worst < 1e-6);
   std::ostringstream text;
   text.precision(2);
   text << "of 100,000 frames the worst is off by " << worst << "; flat, in 8 bits, leans by "

@@ -14,11 +14,11 @@ struct Quaternion {
   float x, y, z;
 };
 
-/// The rotation by `angle` (radians) about `axis` (unit).
-[[nodiscard]] Quaternion about(glm::vec3 axis, float angle);
-
 /// Hamilton's product a b: as a rotation, b turns first, then a.
 [[nodiscard]] Quaternion product(Quaternion a, Quaternion b);
+
+/// The rotation by `angle` (radians) about `axis` (unit).
+[[nodiscard]] Quaternion about(glm::vec3 axis, float angle);
 
 /// `v` turned by q (unit): the vector part of q v q*.
 [[nodiscard]] glm::vec3 rotate(Quaternion q, glm::vec3 v);

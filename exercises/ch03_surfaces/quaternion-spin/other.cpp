@@ -3,27 +3,20 @@
 #include "api.hpp"
 
 #include <cmath>
+#include <complex>
 
 namespace exercise {
-
-Quaternion about(glm::vec3 axis, float angle) {
-  // cos(a/2) and sin(a/2) from cos(a), by the half-angle formulas.
-  const double turns = std::floor(angle / (4.0 * std::acos(-1.0)));
-  const double rest = angle - turns * 4.0 * std::acos(-1.0);  // 0 to 4 pi: a half is 0 to 2 pi
-  const double full_cosine = std::cos(rest);
-  const bool is_left = rest > std::acos(-1.0) && rest < 3.0 * std::acos(-1.0);
-  const bool is_below = rest > 2.0 * std::acos(-1.0);
-  const double cosine = std::sqrt(std::fmax(0.0, (1.0 + full_cosine) / 2.0));
-  const double sine = std::sqrt(std::fmax(0.0, (1.0 - full_cosine) / 2.0));
-  const auto w = static_cast<float>(is_left ? -cosine : cosine);
-  const auto s = static_cast<float>(is_below ? -sine : sine);
-  return {w, s * axis.x, s * axis.y, s * axis.z};
-}
 
 Quaternion product(Quaternion a, Quaternion b) {
   return {
       a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
       a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
+}
+
+Quaternion about(glm::vec3 axis, float angle) {
+  // Around one axis a quaternion is a complex number that turns by half the angle.
+  const std::complex<float> turn = std::polar(1.0f, 0.5f * angle);
+  return {turn.real(), turn.imag() * axis.x, turn.imag() * axis.y, turn.imag() * axis.z};
 }
 
 glm::vec3 rotate(Quaternion q, glm::vec3 v) {

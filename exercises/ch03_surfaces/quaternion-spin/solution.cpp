@@ -18,18 +18,18 @@ Quaternion conjugate(Quaternion q) {
 
 }  // namespace
 
-Quaternion about(glm::vec3 axis, float angle) {
-  const float half = angle / 2.0f;  // q works from the left and q* from the right: each does half
-  const glm::vec3 v = std::sin(half) * axis;
-  return {std::cos(half), v.x, v.y, v.z};
-}
-
 Quaternion product(Quaternion a, Quaternion b) {
   const glm::vec3 r = vector_part(a);
   const glm::vec3 s = vector_part(b);
   // Only the cross product knows the order.
   const glm::vec3 v = a.w * s + b.w * r + glm::cross(r, s);
   return {a.w * b.w - glm::dot(r, s), v.x, v.y, v.z};
+}
+
+Quaternion about(glm::vec3 axis, float angle) {
+  const float half = angle / 2.0f;  // q works from the left and q* from the right: each does half
+  const glm::vec3 v = std::sin(half) * axis;
+  return {std::cos(half), v.x, v.y, v.z};
 }
 
 glm::vec3 rotate(Quaternion q, glm::vec3 v) {

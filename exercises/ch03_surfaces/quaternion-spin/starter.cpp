@@ -4,12 +4,12 @@
 
 namespace exercise {
 
-Quaternion about(glm::vec3 /*axis*/, float /*angle*/) {
-  TODO("make the quaternion of a rotation");
-}
-
 Quaternion product(Quaternion /*a*/, Quaternion /*b*/) {
   TODO("multiply out, with i j = k but j i = -k");
+}
+
+Quaternion about(glm::vec3 /*axis*/, float /*angle*/) {
+  TODO("make the quaternion of a rotation");
 }
 
 glm::vec3 rotate(Quaternion /*q*/, glm::vec3 /*v*/) {

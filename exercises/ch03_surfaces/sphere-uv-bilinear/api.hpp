@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "common/testkit/not_written.hpp"
@@ -18,7 +19,8 @@ struct Texture {
 
   /// The texel in column x and row y, both from 0.
   [[nodiscard]] double at(int x, int y) const {
-    if (x < 0 || x >= width || y < 0 || y >= height) throw std::out_of_range("no such texel");
+    if (x < 0 || x >= width || y < 0 || y >= height)
+      throw std::out_of_range("no texel (" + std::to_string(x) + ", " + std::to_string(y) + ")");
     return values[static_cast<std::size_t>(y) * width + x];
   }
 };
@@ -30,7 +32,8 @@ struct Texture {
 [[nodiscard]] glm::dvec2 sphere_uv(glm::dvec3 n);
 
 /// The mean of the four texels around `uv`, weighted by nearness. The picture repeats.
-/// @param uv  any; the middle of texel (x, y) is at ((x + 0.5) / width, (y + 0.5) / height)
+/// @param uv  may lie far outside 0 to 1; the middle of texel (x, y) is at
+///            ((x + 0.5) / width, (y + 0.5) / height)
 [[nodiscard]] double bilinear(const Texture& texture, glm::dvec2 uv);
 
 }  // namespace exercise
