@@ -5,19 +5,14 @@
 namespace lt::bench {
 namespace {
 
-constexpr auto uniform = [](const Surface& surface) { return uniform_lambert_at(surface); };
-constexpr auto cosine = [](const Surface& surface) { return cosine_lambert_at(surface); };
-
-constexpr int paths = width * height;  // a turn: one for each pixel
-
 template <class Scene, class Model>
 void trace(benchmark::State& state, const Scene& scene, const TexturedScene& list,
            const Model& bsdf_at) {
+  Film film(width, height);
   for (auto _ : state)
-    for (int i = 0; i < paths; ++i)
-      benchmark::DoNotOptimize(room_path(scene, bsdf_at, i));
+    take_paths(film, scene, bsdf_at);
   report(state, paths, "paths");
-  const auto queries = static_cast<double>(rays_of(list, bsdf_at, paths).size());
+  const auto queries = static_cast<double>(rays_of(list, bsdf_at).size());
   state.counters["queries"] = benchmark::Counter(queries * static_cast<double>(state.iterations()),
                                                  benchmark::Counter::kIsRate);
 }

@@ -19,7 +19,7 @@ void ask(benchmark::State& state, const Scene& scene, const std::vector<Ray>& ra
 void add(const std::string& name, bool is_packed, bool is_textured, bool shade) {
   add_benchmark(name, [=](benchmark::State& state) {
     const TexturedScene list = is_textured ? matt_room(256) : three_sphere_room_plain();
-    const std::vector<Ray> rays = rays_of(list, cosine_lambert_at, 2000);
+    const std::vector<Ray> rays = rays_of(list, cosine);
     if (is_packed) {
       ask(state, PackedScene(list), rays, shade);
     } else {

@@ -1,8 +1,6 @@
 /// @file
-/// The rays that paths through the room ask for.
+/// The paths that a picture of the room takes, and the rays that they ask for.
 #pragma once
-
-#include <benchmark/benchmark.h>
 
 #include <vector>
 
@@ -15,6 +13,10 @@ namespace lt::bench {
 
 inline constexpr int depth = 8;
 inline constexpr int width = 90, height = 72;
+inline constexpr int paths = width * height;  ///< one for each pixel
+
+inline constexpr auto uniform = [](const Surface& surface) { return uniform_lambert_at(surface); };
+inline constexpr auto cosine = [](const Surface& surface) { return cosine_lambert_at(surface); };
 
 /// A scene that writes down for which rays it was asked.
 struct Recorder {
@@ -32,25 +34,24 @@ struct Recorder {
   return background(recorder.scene, direction);
 }
 
-/// Path `i` of the far camera's picture: pixel after pixel, `i` modulo their number.
+/// Takes one sample of each pixel of the far camera's picture, in one thread, as the chapter's
+/// program does.
 template <Traceable Scene, Scattering Model>
-[[nodiscard]] Rgb room_path(const Scene& scene, const Model& bsdf_at, int i) {
-  static const Camera camera = room_camera_far();
-  const int x = i % width;
-  const int y = i / width % height;
-  Pcg32 random = stream_for(1, x, y, i / (width * height));
-  const vec2 within = random.next_vec2();
-  const Ray ray = camera_ray(camera, vec2(x, y) + within, width, height);
-  return radiance_recursive(scene, bsdf_at, ray, depth, random);
+void take_paths(Film& film, const Scene& scene, const Model& bsdf_at, int sample = 0) {
+  const std::atomic<bool> never{false};
+  const auto estimate = [&](const Ray& ray, Pcg32& random) {
+    return radiance_recursive(scene, bsdf_at, ray, depth, random);
+  };
+  render(film, room_camera_far(), estimate,
+         {.first = sample, .last = sample + 1, .seed = 1, .threads = 1}, never);
 }
 
-/// The rays of `paths` paths, in their order.
+/// The rays of these paths, in their order.
 template <Scattering Model>
-[[nodiscard]] std::vector<Ray> rays_of(const TexturedScene& scene, const Model& bsdf_at,
-                                       int paths) {
+[[nodiscard]] std::vector<Ray> rays_of(const TexturedScene& scene, const Model& bsdf_at) {
   const Recorder recorder{scene, {}};
-  for (int i = 0; i < paths; ++i)
-    benchmark::DoNotOptimize(room_path(recorder, bsdf_at, i));
+  Film film(width, height);
+  take_paths(film, recorder, bsdf_at);
   return recorder.rays;
 }
 
