@@ -100,7 +100,7 @@ inline void add_noise(Plot& plot, const std::string& name, const std::vector<Noi
       "they claim it grows in proportion to the samples, a hundredfold and a thousandfold.";
   for (const auto& [name, wrong] : {std::pair{"uniform", "none"}, std::pair{"cosine", "none"},
                                     std::pair{"cosine", "root"}, std::pair{"cosine", "both"}})
-    plot.series.push_back(chi_square_growth(sampler_named(name, wrong), seed));
+    plot.series.push_back(chi_square_growth(sampler_named(name, wrong), seed++));
   return plot;
 }
 

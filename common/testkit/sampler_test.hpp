@@ -54,7 +54,7 @@ class DirectionBins {
 
 /// The integral of `f` over the solid angle of each bin, by adaptive quadrature.
 /// @param tolerance  absolute error aimed at in each part of a bin. A peak that is so narrow that
-///                   no point of a first coarse grid sees it is missed.
+///                   no point of a first coarse grid sees it is missed; a jump costs accuracy.
 [[nodiscard]] std::vector<double> integrate_bins(const DirectionBins& bins,
                                                  const DirectionFunction& f,
                                                  double tolerance = 1e-7);
