@@ -37,6 +37,7 @@ template <RadianceEstimator Estimator>
   const auto work = [&](const Tile& tile) {
     for (int y = tile.y0; y < tile.y1; ++y)
       for (int x = tile.x0; x < tile.x1; ++x) {
+        // [one-variance]
         std::array<RunningMean, 3> colors;
         for (int i = range.first; i < range.last; ++i) {
           Pcg32 random = stream_for(range.seed, x, y, i);
@@ -48,6 +49,7 @@ template <RadianceEstimator Estimator>
         }
         for (int c = 0; c < 3; ++c)
           variances.at(x, y)[c] = static_cast<float>(colors[c].variance());
+        // [one-variance]
       }
   };
   for_each_tile(width, height, range.threads, work, range.tile_size);

@@ -84,6 +84,7 @@ struct PackedScene {
   const float t = near > 0.0f ? near : far;
   return discriminant >= 0.0f && t > 0.0f ? t : infinity;
 }
+// [branch-free]
 
 /// The same for a triangle.
 [[nodiscard]] inline float distance_or_infinity(const Ray& ray, vec3 normal, vec3 corner0,
@@ -99,11 +100,11 @@ struct PackedScene {
   const float most = std::max(std::max(side01, side12), side20);
   return t > 0.0f && !(least < 0.0f && most > 0.0f) ? t : infinity;
 }
-// [branch-free]
 
 // [closest-hit-packed]
 /// The nearest object: the same hit as the linear scan's, digit for digit.
 [[nodiscard]] inline std::optional<Hit> closest_hit(const PackedScene& packed, const Ray& ray) {
+  // [scan]
   Hit closest{infinity, 0};
   const auto take_nearest = [&](const Lanes& t, std::size_t first) {
     for (int i = 0; i < lanes; ++i)
@@ -116,6 +117,7 @@ struct PackedScene {
       t[i] = distance_or_infinity(ray, s.center.get(i), s.radius[i]);
     take_nearest(t, block * lanes);
   }
+  // [scan]
   const Scene& shapes = packed.scene.shapes;
   for (std::size_t block = 0; block < packed.triangles.size(); ++block) {
     const TriangleBlock& s = packed.triangles[block];

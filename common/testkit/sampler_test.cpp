@@ -136,6 +136,7 @@ double integrate_directions(const DirectionFunction& f, double tolerance) {
   return sum;
 }
 
+// [test-sampler]
 SamplerReport test_sampler(const DrawDirection& draw, const DirectionFunction& pdf,
                            const SamplerOptions& options) {
   const DirectionBins& bins = options.bins;
@@ -156,6 +157,7 @@ SamplerReport test_sampler(const DrawDirection& draw, const DirectionFunction& p
   if (report.complaint.empty()) report.complaint = complaint_about(report);
   return report;
 }
+// [test-sampler]
 
 std::string complaint_about(const Triple& sample, double tolerance) {
   std::ostringstream out;
