@@ -1,9 +1,9 @@
 #include "runner/build.hpp"
 
 #include <iostream>
-#include <regex>
 
 #include "common/files.hpp"
+#include "runner/pattern.hpp"
 #include "runner/terminal.hpp"
 #include "runner/text.hpp"
 
@@ -37,12 +37,11 @@ class BuildLine {
   BuildLine& operator=(const BuildLine&) = delete;
 
   void show(std::string_view piece) {
-    static const std::regex count(R"(\[ *(\d+/\d+|\d+%)\])");
+    static const Pattern count(R"(\[ *(\d+/\d+|\d+%)\])");
     if (!stderr_is_terminal()) return;
     std::string latest;
-    const std::string text(piece);
-    for (std::sregex_iterator it(text.begin(), text.end(), count), end; it != end; ++it) {
-      latest = (*it)[1];
+    for (const std::string& line : split_lines(piece)) {
+      if (const auto found = count.search(line)) latest = (*found)[1];
     }
     if (latest.empty()) return;
     std::cerr << '\r' << label_ << " [" << latest << "]\x1b[K" << std::flush;
@@ -59,13 +58,11 @@ class BuildLine {
 void forget_if_moved(const fs::path& source, const fs::path& binary) {
   const fs::path cache = binary / "CMakeCache.txt";
   if (!fs::exists(cache)) return;
-  static const std::regex home(R"(CMAKE_HOME_DIRECTORY:INTERNAL=([^\n]*))");
+  static const Pattern home(R"(CMAKE_HOME_DIRECTORY:INTERNAL=([^\n]*))");
   const std::string text = read_file(cache);
-  std::smatch match;
   std::error_code ignored;
-  if (std::regex_search(text, match, home) && fs::equivalent(match[1].str(), source, ignored)) {
-    return;
-  }
+  const auto made_for = home.search(text);
+  if (made_for && fs::equivalent((*made_for)[1], source, ignored)) return;
   std::cerr << shown_path(binary) << " was made for another folder: making it anew" << std::endl;
   fs::remove_all(binary);
 }

@@ -1,6 +1,6 @@
 // The half of verdict.hpp that reads what compilers and linkers print: GCC, Clang and MSVC.
-#include <regex>
 
+#include "runner/pattern.hpp"
 #include "runner/text.hpp"
 #include "runner/verdict.hpp"
 
@@ -20,19 +20,17 @@ struct Remark {
 };
 
 std::optional<Remark> parse_remark(const std::string& line) {
-  static const std::regex gnu(R"(^(.+?):(\d{1,7})(?::(\d{1,5}))?: +(.*)$)");
-  static const std::regex msvc(R"(^(.+?)\((\d{1,7})(?:,(\d{1,5}))?\): +(.*)$)");
-  static const std::regex kind(R"(^((?:fatal )?error|warning|note)(?: [A-Z]+\d+)?: (.*)$)");
-  std::smatch match;
-  if (!std::regex_match(line, match, gnu) && !std::regex_match(line, match, msvc)) {
-    return std::nullopt;
-  }
-  Remark remark{match[1], std::stoi(match[2]), match[3].matched ? std::stoi(match[3]) : 0, "",
-                match[4]};
-  const std::string rest = remark.message;
-  if (std::regex_match(rest, match, kind)) {
-    remark.kind = match[1];
-    remark.message = match[2];
+  static const Pattern gnu(R"(^(.+?):(\d{1,7})(?::(\d{1,5}))?: +(.*)$)");
+  static const Pattern msvc(R"(^(.+?)\((\d{1,7})(?:,(\d{1,5}))?\): +(.*)$)");
+  static const Pattern kind(R"(^((?:fatal )?error|warning|note)(?: [A-Z]+\d+)?: (.*)$)");
+  auto found = gnu.match(line);
+  if (!found) found = msvc.match(line);
+  if (!found) return std::nullopt;
+  const Pattern::Groups& part = *found;
+  Remark remark{part[1], std::stoi(part[2]), part[3].empty() ? 0 : std::stoi(part[3]), "", part[4]};
+  if (const auto kinds = kind.match(remark.message)) {
+    remark.kind = (*kinds)[1];
+    remark.message = (*kinds)[2];
   }
   return remark;
 }
@@ -44,30 +42,27 @@ std::string file_name(const std::string& path) {
 
 // GCC and Clang show the line of code below their message: "   12 |   code" or "  code".
 std::string code_below(const std::vector<std::string>& lines, std::size_t index) {
-  static const std::regex numbered(R"(^ *\d+ \| ?(.*)$)");
+  static const Pattern numbered(R"(^ *\d+ \| ?(.*)$)");
   if (index + 1 >= lines.size()) return "";
-  std::smatch match;
-  if (std::regex_match(lines[index + 1], match, numbered)) return match[1];
+  if (const auto found = numbered.match(lines[index + 1])) return (*found)[1];
   const bool is_caret_next =
       index + 2 < lines.size() && lines[index + 2].find('^') != std::string::npos;
   return is_caret_next ? lines[index + 1] : "";
 }
 
 std::optional<BuildError> link_error(const std::vector<std::string>& lines) {
-  static const std::regex missing(
-      R"((?:undefined reference to|undefined symbol:) [`'"]?(.*?)['"]?$)");
-  static const std::regex twice(R"(multiple definition of [`'"](.*?)['"])");
+  static const Pattern missing(R"((?:undefined reference to|undefined symbol:) [`'"]?(.*?)['"]?$)");
+  static const Pattern twice(R"(multiple definition of [`'"](.*?)['"])");
   for (const std::string& line : lines) {
-    std::smatch match;
-    if (std::regex_search(line, match, missing)) {
+    if (const auto found = missing.search(line)) {
       return BuildError{0, 0,
-                        match[1].str() +
+                        (*found)[1] +
                             " is declared in api.hpp, but your file does not define "
                             "it: compare name, parameters, const and namespace.",
                         ""};
     }
-    if (std::regex_search(line, match, twice)) {
-      return BuildError{0, 0, match[1].str() + " is defined twice.", ""};
+    if (const auto found = twice.search(line)) {
+      return BuildError{0, 0, (*found)[1] + " is defined twice.", ""};
     }
   }
   return std::nullopt;

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <set>
 
 #include "common/error.hpp"
 #include "common/pixel_io.hpp"
+#include "runner/pattern.hpp"
 #include "runner/text.hpp"
 
 namespace lt {
@@ -103,7 +103,7 @@ Mutant parse_mutant(const json& object, const std::string& place) {
   Mutant mutant{reader.text("tag"), reader.text("find"), reader.any_text("replace"),
                 reader.text("says")};
   reader.refuse_unknown_keys();
-  if (!std::regex_match(mutant.tag, std::regex("[a-z0-9]+(-[a-z0-9]+)*"))) {
+  if (!Pattern("[a-z0-9]+(-[a-z0-9]+)*").match(mutant.tag)) {
     reader.fail("\"tag\" must be lower-case-with-dashes");
   }
   if (mutant.find == mutant.replace) reader.fail("\"replace\" must differ from \"find\"");
@@ -111,7 +111,7 @@ Mutant parse_mutant(const json& object, const std::string& place) {
 }
 
 void check_place(const Reader& reader, const Exercise& exercise) {
-  if (!std::regex_match(exercise.id, std::regex("[0-9]{2}\\.[0-9]+"))) {
+  if (!Pattern("[0-9]{2}\\.[0-9]+").match(exercise.id)) {
     reader.fail("\"id\" must be chapter.number as in 02.1");
   }
   if (exercise.name != exercise.folder.filename()) {
@@ -155,7 +155,7 @@ Picture parse_picture(const json& object, const std::string& place) {
     size.refuse_unknown_keys();
   }
   reader.refuse_unknown_keys();
-  if (!std::regex_match(picture.file, std::regex("[A-Za-z0-9_-]+\\.(png|svg|pfm|csv)"))) {
+  if (!Pattern("[A-Za-z0-9_-]+\\.(png|svg|pfm|csv)").match(picture.file)) {
     reader.fail("\"file\" must be a plain name that ends in .png, .svg, .pfm or .csv");
   }
   return picture;

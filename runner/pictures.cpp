@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/files.hpp"
+#include "common/parallel.hpp"
 #include "common/progress.hpp"
 #include "runner/build.hpp"
 #include "runner/text.hpp"
@@ -29,6 +30,20 @@ std::string quoted(const std::string& word) {
 std::int64_t weight(const PictureJob& job) {
   constexpr std::int64_t plot = 50'000;
   return std::max(plot, std::int64_t{job.size.width} * job.size.height);
+}
+
+void make_picture(const Home& home, const PictureJob& job) {
+  const std::string& chapter = job.picture.chapter;
+  const fs::path program = built_program(home.build() / "chapters" / chapter, chapter);
+  std::vector<std::string> command = picture_arguments(job.picture, job.size, job.out);
+  command.insert(command.begin(), program.string());
+  fs::create_directories(job.out.parent_path());
+  ProcessOptions options;
+  options.folder = home.root;
+  const ProcessResult result = run_process(command, options);
+  if (!result.succeeded() || !fs::exists(job.out)) {
+    throw BuildFailed("\n" + result.output + join(command, " ") + "\n");
+  }
 }
 
 }  // namespace
@@ -94,20 +109,11 @@ void make_pictures(const Home& home, const std::vector<PictureJob>& jobs,
   for (const PictureJob& job : jobs)
     total += weight(job);
   Progress progress(label, total);
-  for (const PictureJob& job : jobs) {
-    const std::string& chapter = job.picture.chapter;
-    const fs::path program = built_program(home.build() / "chapters" / chapter, chapter);
-    std::vector<std::string> command = picture_arguments(job.picture, job.size, job.out);
-    command.insert(command.begin(), program.string());
-    fs::create_directories(job.out.parent_path());
-    ProcessOptions options;
-    options.folder = home.root;
-    const ProcessResult result = run_process(command, options);
-    if (!result.succeeded() || !fs::exists(job.out)) {
-      throw BuildFailed("\n" + result.output + join(command, " ") + "\n");
-    }
+  for_each_index(static_cast<int>(jobs.size()), 0, [&](int i) {
+    const PictureJob& job = jobs[static_cast<std::size_t>(i)];
+    make_picture(home, job);
     progress.advance(weight(job));
-  }
+  });
 }
 
 }  // namespace lt

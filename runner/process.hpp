@@ -34,7 +34,8 @@ struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/// Runs `command` (program, then arguments; found through PATH) and waits. stdin is empty.
+/// Runs `command` (program, then arguments; found through PATH) and waits. stdin is empty. May be
+/// called from several threads: a Ctrl-C ends the programs of all of them.
 /// @throws Interrupted  after the program has been stopped
 [[nodiscard]] ProcessResult run_process(const std::vector<std::string>& command,
                                         const ProcessOptions& options = {});
@@ -48,7 +49,7 @@ struct Interrupted : std::runtime_error {
 
 /// From now on Ctrl-C makes the calls above throw Interrupted instead of ending us on the spot.
 void catch_interrupts();
-/// True once after each Ctrl-C.
+/// True once after each Ctrl-C; the calls above leave that for the next who asks.
 [[nodiscard]] bool was_interrupted();
 
 /// The processors of this machine, at least 1.

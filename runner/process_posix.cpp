@@ -6,12 +6,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <mutex>
 #include <sstream>
 #include <thread>
 
@@ -26,10 +28,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-volatile std::sig_atomic_t interrupts = 0;
+std::atomic<bool> is_interrupted = false;
+static_assert(std::atomic<bool>::is_always_lock_free);  // or a signal handler must not set it
 
 void note_interrupt(int) {
-  interrupts = 1;
+  is_interrupted = true;
 }
 
 // What execvp wants: pointers into strings that outlive them.
@@ -92,6 +95,23 @@ pid_t start(const std::vector<std::string>& command, const ProcessOptions& optio
   _exit(127);
 }
 
+// The program and the end of a pipe that reads what it prints.
+std::pair<pid_t, int> start_with_pipe(const std::vector<std::string>& command,
+                                      const ProcessOptions& options) {
+  // A program that another thread starts now must not inherit our pipe: we would wait for it too.
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
+  int ends[2];
+  if (pipe(ends) != 0)
+    throw OutputError(std::string("cannot open a pipe: ") + std::strerror(errno));
+  fcntl(ends[0], F_SETFD, FD_CLOEXEC);
+  fcntl(ends[1], F_SETFD, FD_CLOEXEC);
+  const pid_t child = start(command, options, ends[1]);
+  setpgid(child, child);
+  close(ends[1]);
+  return {child, ends[0]};
+}
+
 void wait_for(pid_t child, ProcessResult& result) {
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
@@ -106,7 +126,7 @@ bool read_output(int input, const ProcessOptions& options, Clock::time_point dea
   constexpr std::size_t limit = 4'000'000;
   std::vector<char> buffer(65536);
   while (true) {
-    if (interrupts != 0) return false;
+    if (is_interrupted) return false;
     if (options.seconds > 0 && Clock::now() > deadline) {
       result.timed_out = true;
       return false;
@@ -125,29 +145,21 @@ bool read_output(int input, const ProcessOptions& options, Clock::time_point dea
 }  // namespace
 
 ProcessResult run_process(const std::vector<std::string>& command, const ProcessOptions& options) {
-  int ends[2];
-  if (pipe(ends) != 0)
-    throw OutputError(std::string("cannot open a pipe: ") + std::strerror(errno));
-  fcntl(ends[0], F_SETFD, FD_CLOEXEC);
-  fcntl(ends[1], F_SETFD, FD_CLOEXEC);
   const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                            std::chrono::duration<double>(options.seconds));
-  const pid_t child = start(command, options, ends[1]);
-  setpgid(child, child);
-  close(ends[1]);
-
+  const auto [child, output] = start_with_pipe(command, options);
   ProcessResult result;
-  if (!read_output(ends[0], options, deadline, result)) kill(-child, SIGKILL);
-  close(ends[0]);
+  if (!read_output(output, options, deadline, result)) kill(-child, SIGKILL);
+  close(output);
   wait_for(child, result);
-  if (was_interrupted()) throw Interrupted();
+  if (is_interrupted) throw Interrupted();
   return result;
 }
 
 ProcessResult run_visibly(const std::vector<std::string>& command, const ProcessOptions& options) {
   ProcessResult result;
   wait_for(start(command, options, -1), result);
-  if (was_interrupted() || result.signal == SIGINT) throw Interrupted();
+  if (is_interrupted || result.signal == SIGINT) throw Interrupted();
   return result;
 }
 
@@ -170,9 +182,7 @@ void catch_interrupts() {
 }
 
 bool was_interrupted() {
-  const bool was = interrupts != 0;
-  interrupts = 0;
-  return was;
+  return is_interrupted.exchange(false);
 }
 
 int processor_count() {

@@ -1,10 +1,10 @@
 #include "runner/snippets.hpp"
 
 #include <algorithm>
-#include <regex>
 
 #include "common/error.hpp"
 #include "common/files.hpp"
+#include "runner/pattern.hpp"
 #include "runner/text.hpp"
 
 namespace lt {
@@ -44,12 +44,11 @@ class Refresher {
       : lines_(split_lines(readme)), read_source_(read_source) {}
 
   FreshText run() {
-    static const std::regex comment(R"(^<!-- snippet: (\S+) (\S+) -->$)");
+    static const Pattern comment(R"(^<!-- snippet: (\S+) (\S+) -->$)");
     for (at_ = 0; at_ < lines_.size(); ++at_) {
       const std::string& line = lines_[at_];
-      std::smatch match;
-      if (std::regex_match(line, match, comment)) {
-        refresh(match[1], match[2]);
+      if (const auto found = comment.match(line)) {
+        refresh((*found)[1], (*found)[2]);
       } else if (line.starts_with("<!-- snippet")) {
         put(line);
         complain("a snippet is written <!-- snippet: FILE TAG -->");
@@ -129,14 +128,14 @@ class Refresher {
 }  // namespace
 
 std::optional<std::string> snippet(std::string_view source, std::string_view tag) {
-  static const std::regex any_tag(R"(^\s*// \[[a-z0-9-]+\]\s*$)");
+  static const Pattern any_tag(R"(^\s*// \[[a-z0-9-]+\]\s*$)");
   const std::string wanted = "// [" + std::string(tag) + "]";
   std::vector<std::string> region;
   int seen = 0;
   for (const std::string& line : split_lines(source)) {
     if (trimmed(line) == wanted) {
       ++seen;
-    } else if (seen == 1 && !std::regex_match(line, any_tag)) {
+    } else if (seen == 1 && !any_tag.match(line)) {
       region.push_back(line);
     }
   }

@@ -1,8 +1,8 @@
 // The half of verdict.hpp that reads what a test program and Catch2's report say.
 #include <algorithm>
-#include <regex>
 
 #include "common/files.hpp"
+#include "runner/pattern.hpp"
 #include "runner/text.hpp"
 #include "runner/verdict.hpp"
 
@@ -26,10 +26,10 @@ std::optional<std::string> after(const std::string& line, std::string_view mark)
 }
 
 std::optional<NotWrittenYet> parse_not_written(const std::string& rest) {
-  static const std::regex pattern(R"( ?(.+?):(\d{1,7}): (.*))");
-  std::smatch match;
-  if (!std::regex_match(rest, match, pattern)) return std::nullopt;
-  return NotWrittenYet{match[1], std::stoi(match[2]), match[3]};
+  static const Pattern pattern(R"( ?(.+?):(\d{1,7}): (.*))");
+  const auto found = pattern.match(rest);
+  if (!found) return std::nullopt;
+  return NotWrittenYet{(*found)[1], std::stoi((*found)[2]), (*found)[3]};
 }
 
 std::optional<Finding> parse_finding(const std::string& rest) {
@@ -40,31 +40,31 @@ std::optional<Finding> parse_finding(const std::string& rest) {
 
 // The sentence of the last TEST_CASE at or above a line of test.cpp.
 std::string test_case_above(const std::vector<std::string>& lines, int line) {
-  static const std::regex pattern(R"(^\s*TEST_CASE\(\s*"([^"]*)\")");
+  static const Pattern pattern(R"(^\s*TEST_CASE\(\s*"([^"]*)\")");
   std::string sentence;
   for (int i = 0; i < std::min(line, static_cast<int>(lines.size())); ++i) {
-    std::smatch match;
-    if (std::regex_search(lines[static_cast<std::size_t>(i)], match, pattern)) sentence = match[1];
+    const auto found = pattern.search(lines[static_cast<std::size_t>(i)]);
+    if (found) sentence = (*found)[1];
   }
   return sentence;
 }
 
 // Splits Catch2's "EXPRESSION for: VALUES with 2 messages: 'a' and 'b'".
 void split_failure(std::string text, FailedCheck& check) {
-  static const std::regex messages(R"( with \d+ messages?: (.*)$)");
-  static const std::regex thrown(
+  static const Pattern messages(R"( with \d+ messages?: (.*)$)");
+  static const Pattern thrown(
       R"(^unexpected exception with messages?: '(.*?)'(?: and .*)?(?:; expression was: (.*))?$)");
-  std::smatch match;
-  if (std::regex_match(text, match, thrown)) {
-    check.message = "an exception came out: " + match[1].str();
-    check.expression = match[2];
+  if (const auto found = thrown.match(text)) {
+    check.message = "an exception came out: " + (*found)[1];
+    check.expression = (*found)[2];
     return;
   }
-  if (std::regex_search(text, match, messages)) {
-    check.message = match[1];
-    const bool is_one = match.str().starts_with(" with 1 ") && check.message.size() >= 2;
+  if (const auto found = messages.search(text)) {
+    const std::string& tail = (*found)[0];
+    check.message = (*found)[1];
+    const bool is_one = tail.starts_with(" with 1 ") && check.message.size() >= 2;
     if (is_one) check.message = check.message.substr(1, check.message.size() - 2);  // its quotes
-    text = match.prefix();
+    text.resize(text.size() - tail.size());
   }
   const std::size_t values = text.find(" for: ");
   check.expression = text.substr(0, values);
@@ -75,15 +75,15 @@ void split_failure(std::string text, FailedCheck& check) {
 // The first failure in Catch2's compact report, on one line: Catch2 breaks long values into
 // several.
 std::optional<std::string> first_failure(std::string_view report) {
-  static const std::regex start(R"(^.*?[:(]\d{1,7}\)?: failed: .*$)");
-  static const std::regex end(R"(^(?:.*?[:(]\d{1,7}\)?: (?:failed|passed): .*|Failed \d.*|)$)");
+  static const Pattern start(R"(^.*?[:(]\d{1,7}\)?: failed: .*$)");
+  static const Pattern end(R"(^(?:.*?[:(]\d{1,7}\)?: (?:failed|passed): .*|Failed \d.*|)$)");
   constexpr std::size_t longest = 2000;  // std::regex calls itself once for each character
   std::optional<std::string> failure;
   for (std::string line : split_lines(report)) {
     line.resize(std::min(line.size(), longest));
     if (!failure) {
-      if (std::regex_match(line, start)) failure = line;
-    } else if (std::regex_match(line, end)) {
+      if (start.match(line)) failure = line;
+    } else if (end.match(line)) {
       break;
     } else {
       *failure += " " + trimmed(line);
@@ -94,14 +94,14 @@ std::optional<std::string> first_failure(std::string_view report) {
 }
 
 std::optional<FailedCheck> first_failed_check(std::string_view report, std::string_view test_cpp) {
-  static const std::regex pattern(R"(^.*?[:(](\d{1,7})\)?: failed: (.*)$)");
+  static const Pattern pattern(R"(^.*?[:(](\d{1,7})\)?: failed: (.*)$)");
   const std::optional<std::string> failure = first_failure(report);
-  std::smatch match;
-  if (!failure || !std::regex_match(*failure, match, pattern)) return std::nullopt;
+  const auto found = failure ? pattern.match(*failure) : std::nullopt;
+  if (!found) return std::nullopt;
   FailedCheck check;
-  check.line = std::stoi(match[1]);
+  check.line = std::stoi((*found)[1]);
   check.sentence = test_case_above(split_lines(test_cpp), check.line);
-  split_failure(match[2], check);
+  split_failure((*found)[2], check);
   return check;
 }
 

@@ -1,7 +1,5 @@
 #include "runner/test_report.hpp"
 
-#include <regex>
-
 #include "runner/text.hpp"
 
 namespace lt {

@@ -45,7 +45,7 @@ Tree::Tree(fs::path root) : root_(std::move(root)) {
   if (fs::exists(root_ / ".git")) files_ = names_from_git(root_);
   if (files_.empty()) files_ = names_from_walk(root_);
   std::ranges::sort(files_);
-  files_.erase(std::ranges::unique(files_).begin(), files_.end());
+  files_.erase(std::unique(files_.begin(), files_.end()), files_.end());
   // A file that was deleted but not yet committed is still in git's list.
   std::erase_if(files_,
                 [&](const std::string& name) { return !fs::is_regular_file(root_ / name); });
