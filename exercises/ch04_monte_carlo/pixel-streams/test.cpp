@@ -252,10 +252,10 @@ TEST_CASE("pixels are not alike, nor are samples and seeds") {
     }
     const Noise here = noise(seed, 1);
     const Correlation next_sample = correlation(here, noise(seed, 1, 1), 0, 0);
-    CAPTURE(next_sample.value);
+    INFO("a pixel and its next sample have a correlation of " << next_sample.value << '.');
     REQUIRE(next_sample.excess() < 1.0);
     const Correlation next_seed = correlation(here, noise(seed + 1, 1), 0, 0);
-    CAPTURE(next_seed.value);
+    INFO("a pixel and that of the next seed have a correlation of " << next_seed.value << '.');
     REQUIRE(next_seed.excess() < 1.0);
   }
   std::ostringstream text;
@@ -272,7 +272,7 @@ TEST_CASE("first numbers are uniform") {
       for (int x = 0; x < 100; ++x)
         firsts.push_back(stream_for(seed, x, y, 0).next_float());
     const auto found = lt::kolmogorov_smirnov(firsts, [](double x) { return x; });
-    CAPTURE(found.distance);
+    INFO("the distribution is up to " << found.distance << " from uniform.");
     REQUIRE(found.p_value > 1e-6);
   }
 }
