@@ -138,8 +138,8 @@ Numbers random_weights(lt::TestRandom& random, int n) {
   return weights;
 }
 
-// A table and a u for which sample() gives a place whose density is 0. Looked for in tables of 2 to
-// 200 bins that are empty at one end, where the other bins begin.
+// A table and a u for which sample() gives a place on an edge, and pdf() is 0 there.
+// Looked for in tables of 2 to 200 bins that are empty at one end, where the other bins begin.
 struct Landing {
   int bins;
   bool is_first_empty;
@@ -154,7 +154,8 @@ std::optional<Landing> landing_in_empty_bin() {
       const Numbers cdf = exact_cdf(weights);
       for (const double u : {0.0, largest_u}) {
         const double x = sample(cdf, u);
-        if (!(pdf(cdf, x) > 0)) return Landing{bins, is_first_empty, u, x};
+        const bool is_on_edge = is_near(x * bins, std::round(x * bins));
+        if (is_on_edge && !(pdf(cdf, x) > 0)) return Landing{bins, is_first_empty, u, x};
       }
     }
   return std::nullopt;
@@ -174,6 +175,10 @@ const Grid small{3, {4, 0, 2, 0, 1, 1}};
 const Numbers small_rows_alike{8.0 / 3, 0, 4.0 / 3, 0, 2, 2};  // each row half of 8
 const Numbers small_independent{3, 0.75, 2.25,
                                 1, 0.25, 0.75};  // rows 6 and 2 times columns 4, 1, 3
+
+dvec2 in_small(dvec2 u) {
+  return sample(small, u);
+}
 
 // Empty rows at both ends and between, and empty cells in each row.
 const Grid holes{3, {0, 0, 0, 0, 2, 0, 0, 0, 0, 1, 0, 3, 0, 0, 0}};
@@ -301,7 +306,7 @@ TEST_CASE("find_bin gives the bin that u lies in, and never an empty one") {
 TEST_CASE("the density is a bin's share over its width") {
   const Numbers cdf = exact_cdf(four);
   Numbers found;
-  for (const double x : {0.1, 0.3, 0.6, 0.9})
+  for (const double x : {0.2, 0.3, 0.7, 0.8})
     found.push_back(pdf(cdf, x));
   const std::string gave = "in the bins of {1, 3, 0, 4} pdf() gave " + text_of(found) +
                            " and should give {0.5, 1.5, 0, 2}.";
@@ -353,6 +358,7 @@ TEST_CASE("no sample lands in an empty bin, for no u") {
   REQUIRE(cumulative_and_find_bin_are_right());
   const Numbers cdf = exact_cdf(with_gaps);
   REQUIRE(pdf(cdf, 2.5 / 11) > 0);
+  REQUIRE(is_near(sample(cdf, 0.125), (3 + 1.0 / 3) / 11, 1e-6));  // 1/16 into bin 3, 3/16 wide
   const auto landing = landing_in_empty_bin();
   lt::diagnose(!landing, "rounds-into-empty-bin", seen(landing));
   for (const Numbers& us : {on_edges(cdf), between_edges(cdf)})
@@ -364,9 +370,8 @@ TEST_CASE("no sample lands in an empty bin, for no u") {
 
 TEST_CASE("in the plane, a cell is as likely as its weight says") {
   REQUIRE(cumulative_and_find_bin_are_right());
-  const auto place = [](dvec2 u) { return sample(small, u); };
   const auto turned = [](dvec2 u) { return dvec2(sample(small, u).y, sample(small, u).x); };
-  const Numbers counts = cell_counts(place, 3, 2, 8);
+  const Numbers counts = cell_counts(in_small, 3, 2, 8);
   const std::string of_grid = "the rows {4, 0, 2} and {0, 1, 1}";
   const std::string gave = counts.empty() ? "in " + of_grid + " a place lies outside of the square."
                                           : "evenly spread u fill the cells of " + of_grid +
@@ -390,6 +395,7 @@ TEST_CASE("in the plane, a cell is as likely as its weight says") {
 
 TEST_CASE("in the plane, empty cells and rows stay empty, and all of a cell is used") {
   REQUIRE(cumulative_and_find_bin_are_right());
+  REQUIRE(are_like(cell_counts(in_small, 3, 2, 8), small.weights));
   REQUIRE(are_like(cell_densities(small), small.weights));
   const double nothing = pdf(holes, {0.5, 0.1});
   lt::diagnose(!std::isnan(nothing), "empty-row-is-nan",
