@@ -57,9 +57,9 @@ TEST_CASE("the six points on the axes have their place on the picture") {
   const double front = sphere_uv({0, 0, -1}).x;
   const double right = sphere_uv({1, 0, 0}).x;
   const double upper = sphere_uv(normal_at({0.5, 0.25})).y;
-  // Between the axes: u = 0.25 + 0.102 = 0.352 to the left of the front, as much beyond it to the
-  // right, and half a turn further at the point across from the first. An arc tangent of a
-  // quotient sees the same quotient there.
+  // Between the axes: u = 0.5 - 0.102 to the left of the front, 0.5 + 0.102 to its right, and half
+  // a turn further than on the left at the point across from there. An arc tangent of a quotient
+  // sees the same quotient at both.
   const double near_left = sphere_uv({-0.6, 0, -0.8}).x;
   const double near_right = sphere_uv({0.6, 0, -0.8}).x;
   const double across = sphere_uv({0.6, 0, 0.8}).x;
