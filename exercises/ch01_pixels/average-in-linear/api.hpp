@@ -17,9 +17,10 @@ struct Picture {
   std::vector<double> light;  ///< linear: 0 is black, 1 is white, a lamp is more than 1
 };
 
-/// Given: the 8-bit sRGB code of a linear value, as in exercise 01.1.
+/// Given: the 8-bit sRGB code of a linear value, as in exercise 01.1. NaN becomes 0.
 [[nodiscard]] inline int to_code(double linear) {
-  const double light = std::clamp(linear, 0.0, 1.0);
+  if (!(linear > 0.0)) return 0;
+  const double light = std::min(linear, 1.0);
   const double signal =
       light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055;
   return static_cast<int>(255.0 * signal + 0.5);

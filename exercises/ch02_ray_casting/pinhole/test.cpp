@@ -76,6 +76,8 @@ TEST_CASE("a camera that looks along +z has the axes of the world") {
                gave("For a target along +z, forward", forward, z_axis));
   lt::diagnose(!(forward == near(z_axis) && up == near(y_axis) && right == near(-x_axis)),
                "mirrored", gave("For a target along +z, right", right, x_axis));
+  lt::diagnose(!(forward == near(z_axis) && up == near(-y_axis) && right == near(-x_axis)),
+               "rolled-over", gave("For a target along +z, up", up, y_axis));
   CHECK(dvec3(camera.forward) == near(z_axis));
   CHECK(dvec3(camera.right) == near(x_axis));
   CHECK(dvec3(camera.up) == near(y_axis));

@@ -214,9 +214,9 @@ TEST_CASE("t and the weights name the same point, wherever the triangle is") {
     for (int i = 0; i < 300; ++i) {
       // The answer first: weights, direction and t; the ray's origin follows.
       const Triangle triangle = random_triangle(random);
-      const double w1 = random.uniform(-0.3, 1.0);
-      const double w2 = random.uniform(-0.3, 1.0);
-      const dvec3 weights{1 - w1 - w2, w1, w2};
+      const double b1 = random.uniform(-0.3, 1.0);
+      const double b2 = random.uniform(-0.3, 1.0);
+      const dvec3 weights{1 - b1 - b2, b1, b2};
       const dvec3 way = random.direction();
       const double metres = random.uniform(0.1, 10) * (i % 4 == 0 ? -1 : 1);
       const double speed = std::pow(10.0, random.uniform(-1, 1));

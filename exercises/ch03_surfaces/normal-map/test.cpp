@@ -60,7 +60,40 @@ Frame worst_frame_at(dvec3 axis) {
 // A frame whose axes are easy to tell apart: the floor's.
 const Frame floor_frame{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
 
+// What a code means on the floor: 127.5 would be the middle. Green leans to -z.
+dvec3 meant_by(glm::ivec3 code) {
+  return glm::normalize(dvec3(code.x, code.z, 255 - code.y) / 127.5 - 1.0);
+}
+
+// The same with 128 for the middle.
+dvec3 with_middle_128(glm::ivec3 code) {
+  return glm::normalize(dvec3(code.x, code.z, 256 - code.y) / 128.0 - 1.0);
+}
+
+bool has_nan(dvec3 v) {
+  return std::isnan(v.x + v.y + v.z);
+}
+
 }  // namespace
+
+TEST_CASE("every code counts, and the middle is 127.5") {
+  const dvec3 bumped = bumped_normal(floor_frame, {200, 60, 180});
+  const dvec3 other = bumped_normal(floor_frame, {100, 150, 130});
+  const dvec3 with_255 = bumped_normal(floor_frame, {255, 60, 180});
+  // Whole numbers make both (0, 0, 0), which is (-1, -1, -1) from -1 to 1, or NaN once it has been
+  // made unit without that.
+  const bool is_same = bumped == close_to(other) || (has_nan(bumped) && has_nan(other));
+  lt::diagnose(!(is_same && !has_nan(with_255) && !(with_255 == close_to(bumped))),
+               "integers-divide-to-0-or-1",
+               "(200, 60, 180) and (100, 150, 130) on the floor both gave " + shown(bumped) + ".");
+  // 256 makes 128 the middle: (255, 128, 128) is then red alone, without the 1 / 255 of the others.
+  const dvec3 reddest = bumped_normal(floor_frame, {255, 128, 128});
+  const bool is_middle_128 = glm::normalize(bumped) == close_to(with_middle_128({200, 60, 180})) &&
+                             glm::normalize(reddest) == close_to(dvec3(1, 0, 0));
+  lt::diagnose(!is_middle_128, "middle-at-128",
+               "(200, 60, 180) on the floor gave " + shown(bumped) + " and should give " +
+                   shown(meant_by({200, 60, 180})) + ".");
+}
 
 TEST_CASE("a flat texel leaves the normal where it is") {
   const dvec3 flat = bumped_normal(floor_frame, {128, 128, 255});
@@ -89,8 +122,10 @@ TEST_CASE("red leans along the tangent and green along the bitangent") {
 
 TEST_CASE("a bumped normal is unit, whatever the codes") {
   // From -1 to 1 that is (0.569, -0.529, 0.412), a vector of length 0.879.
-  const double length = glm::length(bumped_normal(floor_frame, {200, 60, 180}));
-  lt::diagnose(!std::isfinite(length) || length == close_to(1.0), "length-not-one",
+  const dvec3 bumped = bumped_normal(floor_frame, {200, 60, 180});
+  const double length = glm::length(bumped);
+  const bool is_right_way = angle(bumped, meant_by({200, 60, 180})) < 0.1;
+  lt::diagnose(!is_right_way || length == close_to(1.0), "length-not-one",
                "(200, 60, 180) gave a normal of length " + std::to_string(length) + ".");
   CHECK(glm::length(bumped_normal(floor_frame, {200, 60, 180})) == close_to(1.0));
 }
@@ -105,8 +140,7 @@ TEST_CASE("a bumped normal points where its codes say") {
       const int blue = static_cast<int>(random.uniform(129, 256));
       const dvec3 bumped = bumped_normal(floor_frame, {red, green, blue});
       INFO("code (" << red << ", " << green << ", " << blue << ") on the floor");
-      const dvec3 local = dvec3(red, blue, 255 - green) / 127.5 - 1.0;
-      REQUIRE(bumped == close_to(glm::normalize(local)));
+      REQUIRE(bumped == close_to(meant_by({red, green, blue})));
     }
   }
 }

@@ -36,6 +36,13 @@ bool asks_too_far(const Texture& texture, dvec2 uv) {
 // Both with the same four values: 10 20 40 80.
 const Texture row{4, 1, {10, 20, 40, 80}};
 const Texture column{1, 4, {10, 20, 40, 80}};
+const Texture square{2, 2, {10, 20, 40, 80}};
+
+// True if u chooses the row and v the column.
+bool columns_are_rows() {
+  return bilinear(square, {0.25, 0.25}) == close_to(10.0) &&
+         bilinear(square, {0.75, 0.25}) == close_to(40.0);
+}
 
 // sphere_uv() read backwards.
 dvec3 normal_at(dvec2 uv) {
@@ -50,10 +57,27 @@ TEST_CASE("the six points on the axes have their place on the picture") {
   const double front = sphere_uv({0, 0, -1}).x;
   const double right = sphere_uv({1, 0, 0}).x;
   const double upper = sphere_uv(normal_at({0.5, 0.25})).y;
-  // With the 0.5 forgotten (1, 0, 0) has u = 0.25 as well: ask for the front first.
+  // Between the axes: u = 0.5 - 0.102 to the left of the front, 0.5 + 0.102 to its right, and half
+  // a turn further than on the left at the point across from there. An arc tangent of a quotient
+  // sees the same quotient at both.
+  const double near_left = sphere_uv({-0.6, 0, -0.8}).x;
+  const double near_right = sphere_uv({0.6, 0, -0.8}).x;
+  const double across = sphere_uv({0.6, 0, 0.8}).x;
+  const double aside = std::atan(0.75) / (2.0 * pi);
+  const bool knows_half =
+      across == close_to(near_left) && std::abs(near_right - near_left) == close_to(2.0 * aside);
+  lt::diagnose(!knows_half, "atan-knows-half-the-circle",
+               gave("u of (0.6, 0, 0.8)", across, 1.0 - aside));
+  lt::diagnose(
+      !(front == close_to(0.0) && right == close_to(0.25) && near_left == close_to(-aside)),
+      "u-below-zero", gave("u of (-0.6, 0, -0.8)", near_left, 0.5 - aside));
+  // atan2(-z, x) is a quarter of a turn minus atan2(x, -z).
+  lt::diagnose(!(front == close_to(0.75) && near_right == close_to(0.75 - aside)),
+               "atan2-arguments-swapped", gave("u of (0, 0, -1)", front, 0.5));
   lt::diagnose(std::isnan(front) || front == close_to(0.5), "front-not-in-the-middle",
                gave("u of (0, 0, -1)", front, 0.5));
-  lt::diagnose(!(right == close_to(0.25)), "u-mirrored", gave("u of (1, 0, 0)", right, 0.75));
+  lt::diagnose(!(right == close_to(0.25) && near_right == close_to(0.5 - aside)), "u-mirrored",
+               gave("u of (1, 0, 0)", right, 0.75));
   lt::diagnose(!(upper == close_to(0.75)), "v-from-south",
                gave("v of (0, 0.707, -0.707)", upper, 0.25));
   CHECK(sphere_uv({0, 0, -1}) == close_to(dvec2(0.5, 0.5)));
@@ -94,11 +118,17 @@ TEST_CASE("every point of the sphere comes back from its place on the picture") 
 
 TEST_CASE("the middle of a texel is that texel") {
   INFO("row is 10 20 40 80");
+  lt::diagnose(!columns_are_rows(), "columns-are-rows",
+               gave("the middle of the upper right texel of 10 20 above 40 80", 40, 20));
   const double middle = bilinear(row, {1.5 / 4, 0.5});
+  const double quarter = bilinear(row, {1.75 / 4, 0.5});
+  // 20 / 4 + 40 * 3 / 4, and at the middle the next texel alone.
+  lt::diagnose(!(middle == close_to(40.0) && quarter == close_to(35.0)), "weights-reversed",
+               gave("a quarter of the way from 20 to 40", quarter, 25));
   const std::string seen = gave("the middle of the second of 10 20 40 80", middle, 20);
   // Half a texel off, either way, is the mean with a neighbour: (10 + 20) / 2 or (20 + 40) / 2.
-  lt::diagnose(!(middle == close_to(15.0)) && !(middle == close_to(30.0)), "half-texel-shift",
-               seen);
+  const bool is_shifted = middle == close_to(15.0) || middle == close_to(30.0);
+  lt::diagnose(!is_shifted || columns_are_rows(), "half-texel-shift", seen);
   // 1.5 / 4 of 4 - 1 texels is 1.125: 20 + 0.125 * (40 - 20).
   lt::diagnose(!(middle == close_to(22.5)), "one-texel-less", seen);
   CHECK(bilinear(row, {1.5 / 4, 0.5}) == close_to(20.0));
@@ -109,6 +139,19 @@ TEST_CASE("the middle of a texel is that texel") {
       CHECK(bilinear(odd, {(x + 0.5) / odd.width, (y + 0.5) / odd.height}) ==
             close_to(odd.at(x, y)));
     }
+}
+
+TEST_CASE("a quarter of the way to the next texel, that one has a quarter of the weight") {
+  INFO("square is 10 20 above 40 80");
+  const double to_right = bilinear(square, {0.375, 0.25});
+  const double down = bilinear(square, {0.25, 0.375});
+  // 10 + (20 - 10) / 4 and 10 + (40 - 10) / 4.
+  const bool is_turned = to_right == close_to(17.5) && down == close_to(12.5);
+  lt::diagnose(
+      !is_turned || columns_are_rows(), "right-is-below",
+      gave("a quarter of the way from 10 to 20 on its right, with 40 below 10,", to_right, 12.5));
+  CHECK(bilinear(square, {0.375, 0.25}) == close_to(12.5));
+  CHECK(bilinear(square, {0.25, 0.375}) == close_to(17.5));
 }
 
 TEST_CASE("beyond its edges the picture begins again") {
