@@ -2,15 +2,18 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cassert>
 #include <charconv>
 #include <cmath>
 #include <iostream>
 #include <locale>
+#include <map>
 #include <numeric>
 #include <sstream>
 
 #include "common/error.hpp"
 #include "common/files.hpp"
+#include "common/option_use.hpp"
 #include "common/pixel_io.hpp"
 
 namespace lt {
@@ -110,9 +113,17 @@ struct CommandLine::Impl {
     return (nearest.empty() ? "" : "did you mean " + nearest + "? ") + "--help lists them all";
   }
 
+  void check(const OptionUse& use) const {
+    if (app.count(use.name) == 0) return;
+    const auto choice = choices.find(use.other);
+    require_use(use, app.count(use.other) > 0, choice == choices.end() ? "" : *choice->second);
+  }
+
   CLI::App app;
   std::vector<ValueOption> options;
   std::vector<std::string> flags;
+  std::map<std::string, const std::string*> choices;  // by name
+  std::vector<OptionUse> uses;
 };
 
 CommandLine::CommandLine(std::string program, std::string description)
@@ -171,6 +182,7 @@ void CommandLine::add_choice(const std::string& name, std::string& value,
     shown += (shown.empty() ? "" : "|") + choice;
   }
   impl_->add({name, "one of " + listed, set}, shown, value, help);
+  impl_->choices[name] = &value;
 }
 
 void CommandLine::add_path(const std::string& name, std::filesystem::path& value,
@@ -183,6 +195,12 @@ void CommandLine::add_path(const std::string& name, std::filesystem::path& value
   impl_->add({name, "a path", set}, "PATH", value.string(), help);
 }
 
+void CommandLine::only_for(const std::string& name, const std::string& other,
+                           const std::vector<std::string>& choices) {
+  assert(choices.empty() || impl_->choices.contains(other));
+  impl_->uses.push_back({name, other, choices});
+}
+
 bool CommandLine::parse(int argc, const char* const* argv) {
   try {
     impl_->app.parse(argc, argv);
@@ -192,6 +210,8 @@ bool CommandLine::parse(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     throw InputError(impl_->explain(error));
   }
+  for (const OptionUse& use : impl_->uses)
+    impl_->check(use);
   return true;
 }
 

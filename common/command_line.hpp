@@ -32,9 +32,20 @@ class CommandLine {
                   const std::vector<std::string>& choices, const std::string& help);
   void add_path(const std::string& name, std::filesystem::path& value, const std::string& help);
 
+  /// Says that an option is used only where another has one of these values. parse() then refuses
+  /// it elsewhere: an option that changes nothing would be a riddle.
+  /// @param name     an option added before
+  /// @param other    a choice added before, e.g. "--view"
+  /// @param choices  values of `other`
+  void only_for(const std::string& name, const std::string& other,
+                const std::vector<std::string>& choices);
+
+  /// Says that an option means nothing unless another is given, too; parse() then refuses it.
+  void needs(const std::string& name, const std::string& other) { only_for(name, other, {}); }
+
   /// @return false if --help was asked for and has been printed: end with exit code 0
-  /// @throws InputError  an option is unknown, lacks its value, or is out of range; the line names
-  ///                     the option and what it takes
+  /// @throws InputError  an option is unknown, lacks its value, is out of range, or is not used
+  ///                     with the others; the line names the option and the remedy
   [[nodiscard]] bool parse(int argc, const char* const* argv);
 
  private:

@@ -91,6 +91,46 @@ TEST_CASE("programs: bad input ends with one line that names it - exit code 2 - 
   }
 }
 
+TEST_CASE("programs: an option that the view does not use is refused") {
+  struct Mistake {
+    std::string chapter;
+    Words words;
+    std::string names;
+  };
+  const std::vector<Mistake> mistakes = {
+      {"ch01_pixels", {"--plot", "curve", "--wrong"}, "--wrong"},
+      {"ch01_pixels", {"--plot", "steps", "--stops", "1"}, "--stops"},
+      {"ch02_ray_casting", {"--measure"}, "--measure"},
+      {"ch02_ray_casting", {"--plot", "cost", "--view", "far"}, "--view"},
+      {"ch02_ray_casting", {"--plot", "cost", "--threads", "2"}, "--threads"},
+      {"ch02_ray_casting", {"--view", "far", "--fov", "30"}, "--fov"},
+      {"ch02_ray_casting", {"--view", "far-naive", "--camera", "near"}, "--camera"},
+      {"ch03_surfaces", {"--view", "balls", "--texture", "nosuch.jpg"}, "--texture"},
+      {"ch03_surfaces", {"--view", "uv", "--texture", "nosuch.jpg"}, "--texture"},
+      {"ch03_surfaces", {"--view", "globe", "--camera", "near"}, "--camera"},
+      {"ch03_surfaces", {"--view", "uv", "--normal-maps", "off"}, "--normal-maps"},
+      {"ch03_surfaces", {"--view", "spin", "--texture-on", "wall"}, "--texture-on"},
+      {"ch03_surfaces", {"--texture-on", "wall"}, "--texture-on"},
+      {"ch03_surfaces", {"--view", "seam", "--rotate", "9"}, "--rotate"},
+      {"ch03_surfaces", {"--view", "filter", "--texels", "64"}, "--texels"},
+      {"ch03_surfaces", {"--view", "maps", "--grid", "2"}, "--grid"},
+      {"ch03_surfaces", {"--view", "globe", "--wrong"}, "--wrong"},
+  };
+  for (const Program& program : programs()) {
+    for (const Mistake& mistake : mistakes) {
+      if (mistake.chapter != program.chapter) continue;
+      const TemporaryFolder folder;
+      Words words = mistake.words;
+      words.insert(words.end(), {"--width", "8", "--height", "8"});
+      const Outcome outcome = run_in(folder.path(), program, words);
+      INFO(shown(program, words));
+      CHECK(outcome.exit_code == 2);
+      check_one_line(program, outcome, mistake.names + " ");
+      CHECK(std::filesystem::is_empty(folder.path()));
+    }
+  }
+}
+
 TEST_CASE("programs: a place that cannot be written ends with one line and exit code 1") {
   for (const Program& program : programs()) {
     const TemporaryFolder folder;

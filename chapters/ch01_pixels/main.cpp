@@ -26,6 +26,8 @@ bool parse(Options& options, int argc, char** argv) {
   line.add_flag("--wrong", options.wrong, "make the mistake that the text shows");
   line.add_float("--stops", options.stops, -16, 16, "exposure: light times 2 to this power");
   line.add_choice("--plot", options.plot, {"none", "curve", "steps"}, "draw a plot instead (SVG)");
+  for (const char* of_pictures : {"--view", "--wrong", "--stops"})
+    line.only_for(of_pictures, "--plot", {"none"});
   lt::add_picture_options(line, options.picture);
   return line.parse(argc, argv);
 }

@@ -27,6 +27,11 @@ bool parse(Options& options, int argc, char** argv) {
   line.add_choice("--plot", options.plot, {"none", "cost"}, "draw a plot instead (SVG)");
   line.add_flag("--measure", options.measure, "plot this machine's times, not the stored ones");
   line.add_int("--threads", options.picture.threads, 0, 1024, "threads; 0: one for each processor");
+  for (const char* of_pictures : {"--view", "--camera", "--fov", "--threads"})
+    line.only_for(of_pictures, "--plot", {"none"});
+  line.only_for("--measure", "--plot", {"cost"});
+  for (const char* of_room : {"--camera", "--fov"})
+    line.only_for(of_room, "--view", lt::room_view_names());
   lt::add_picture_options(line, options.picture);
   return line.parse(argc, argv);
 }

@@ -66,20 +66,24 @@ inline constexpr Rgb nothing{0.0f};
 }
 // [view-normals]
 
-/// From white at 1.5 m to black at 6.5 m, with a line at every half metre.
+/// From white at 1.5 m to black at 6.5 m, with a line at every half metre, as wide for the eye on
+/// every wall: turn by a small angle, and t changes by the angle times t tan(theta), theta between
+/// ray and normal. A band of a fixed depth would fall apart into dashes on walls seen aslant.
 [[nodiscard]] inline Rgb view_depth(const Scene& scene, const Ray& ray) {
   const auto hit = closest_hit(scene, ray);
   if (!hit) return nothing;
   const float bright = std::clamp((6.5f - hit->t) / 5.0f, 0.0f, 1.0f);
-  const float half_metres = 2.0f * hit->t;
-  const bool is_line = half_metres - std::floor(half_metres) < 0.04f;
+
+  const vec3 normal = surface_point(scene, ray, *hit).normal;
+  const float tangent = length(cross(ray.direction, normal)) / std::abs(dot(ray.direction, normal));
+  const float off_line = std::abs(hit->t - 0.5f * std::round(2.0f * hit->t));
+  const bool is_line = off_line < 0.0015f * hit->t * tangent;  // half of 0.003 radians
   return as_code(vec3(is_line ? 0.6f * bright : bright));
 }
 
 /// The color of points that hit themselves.
 inline const Rgb self_hit_color = as_code({1.0f, 0.35f, 0.1f});
 
-// [view-acne]
 /// Sends each ray on like a mirror and asks: does it hit the very surface that it leaves?
 [[nodiscard]] inline Rgb view_bounce(const Scene& scene, const Ray& ray, bool with_offset) {
   const auto hit = closest_hit(scene, ray);
@@ -93,7 +97,6 @@ inline const Rgb self_hit_color = as_code({1.0f, 0.35f, 0.1f});
   if (next_hit && next_hit->object == hit->object) return self_hit_color;
   return as_code(vec3(0.2f + 0.6f * std::abs(cosine)));
 }
-// [view-acne]
 
 [[nodiscard]] inline Rgb view_acne(const Scene& scene, const Ray& ray) {
   return view_bounce(scene, ray, false);
@@ -132,6 +135,13 @@ inline constexpr std::array<std::pair<const char*, View>, 9> views{
   std::vector<std::string> names;
   for (const auto& [name, view] : views)
     names.emplace_back(name);
+  return names;
+}
+
+/// The views that show the room, where you stand as you please.
+[[nodiscard]] inline std::vector<std::string> room_view_names() {
+  std::vector<std::string> names = view_names();
+  std::erase_if(names, [](const std::string& name) { return name.starts_with("far"); });
   return names;
 }
 

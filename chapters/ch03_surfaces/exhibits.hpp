@@ -33,7 +33,7 @@ struct Exhibit {
 
 // [room-with-globe]
 /// The textured room. The clear sphere reflects nothing diffusely: under a headlight it would be a
-/// black ball. Until glass is taught, a globe hangs in its place.
+/// black ball. Until glass is taught, a globe stands in its place.
 /// @param texels  side of the walls' textures
 /// @param world   equirectangular map; null leaves the black ball
 [[nodiscard]] inline Exhibit room_exhibit(const Camera& camera, int texels, Texture world,

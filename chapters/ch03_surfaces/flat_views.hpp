@@ -16,7 +16,7 @@
 
 namespace lt {
 
-/// The four patterns side by side, colors above, normals (as codes) below.
+/// A corner of each of the four patterns, colors above, normals (as codes) below.
 [[nodiscard]] inline Image pattern_sheet(int texels, int width, int height) {
   const std::array<TextureMaps, 4> maps{bricks(texels), concrete(texels), tiles(texels),
                                         planks(texels)};
@@ -24,8 +24,8 @@ namespace lt {
   return halve(halve(paint(4 * width, 4 * height, [&](vec2 p) {
     const vec2 in_cells = p / cell;
     const TextureMaps& shown = maps[static_cast<std::size_t>(in_cells.x)];
-    // A square part of each, as high and as wide as a cell.
-    const vec2 uv = glm::fract(in_cells) * vec2(1.0f, cell.y / cell.x);
+    // A part of each, as high and as wide as a cell: three bricks across.
+    const vec2 uv = 0.4f * glm::fract(in_cells) * vec2(1.0f, cell.y / cell.x);
     return in_cells.y < 1.0f ? bilinear(shown.color, uv) : as_code(bilinear(shown.normals, uv));
   })));
 }

@@ -21,7 +21,7 @@ bool parse(Options& options, int argc, char** argv) {
   line.add_choice("--view", show.view,
                   {"room", "uv", "normals", "globe", "spin", "balls", "seam", "maps", "filter"},
                   "what to show");
-  line.add_choice("--camera", show.camera, {"far", "near"}, "where to stand in the room");
+  line.add_choice("--camera", show.camera, {"far", "near", "wall"}, "where to stand in the room");
   line.add_choice("--normal-maps", show.normal_maps, {"on", "off"}, "relief, or flat walls");
   line.add_path("--texture", show.texture, "a picture to put up, PNG or JPEG");
   line.add_choice("--texture-on", show.texture_on, {"globe", "wall"}, "where to put it");
@@ -29,6 +29,15 @@ bool parse(Options& options, int argc, char** argv) {
   line.add_flag("--wrong", show.wrong, "make the mistake that the text shows");
   line.add_int("--texels", show.texels, 16, 4096, "side of the walls' textures");
   line.add_int("--grid", show.grid, 1, 16, "points along each side of a pixel");
+  line.only_for("--camera", "--view", {"room", "uv", "normals"});
+  line.only_for("--normal-maps", "--view", {"room", "normals", "balls", "seam"});
+  line.only_for("--texture", "--view", {"room", "globe", "spin"});
+  line.only_for("--texture-on", "--view", {"room"});
+  line.needs("--texture-on", "--texture");
+  line.only_for("--rotate", "--view", {"room", "uv", "globe", "spin"});
+  line.only_for("--texels", "--view",
+                {"room", "normals", "globe", "spin", "balls", "seam", "maps"});
+  line.only_for("--grid", "--view", {"room", "uv", "normals", "globe", "spin", "balls", "seam"});
   lt::add_picture_options(line, options.picture);
   return line.parse(argc, argv);
 }

@@ -19,7 +19,7 @@ namespace lt {
 /// What to show.
 struct SurfaceViewOptions {
   std::string view = "room";
-  std::string camera = "far";        ///< far or near
+  std::string camera = "far";        ///< far, near or wall
   std::string normal_maps = "on";    ///< on or off
   std::string texture_on = "globe";  ///< what wears `texture`: globe or wall
   std::filesystem::path texture;     ///< a picture file; empty: the world map
@@ -30,6 +30,14 @@ struct SurfaceViewOptions {
   int width = 900;                   ///< pixels
   int height = 720;                  ///< pixels
 };
+
+/// Where to stand in the room: the thesis' two places, or close to the bricks, looking along them.
+/// @param name  "far", "near" or "wall"
+[[nodiscard]] inline Camera room_camera(const std::string& name) {
+  if (name == "far") return room_camera_far();
+  if (name == "near") return room_camera_near();
+  return look_at({2.6f, 2.0f, 2.66f}, {1.45f, 2.06f, 3.0f});
+}
 
 [[nodiscard]] inline bool is_room(const SurfaceViewOptions& options) {
   return options.view == "room" || options.view == "uv" || options.view == "normals";
@@ -51,8 +59,7 @@ struct SurfaceViewOptions {
           : std::make_shared<const Image>(world_map((is_room(options) ? 2 : 4) * options.texels));
   if (!is_room(options)) return globes(options.view == "spin" ? 5 : 1, world, eastward, aspect);
 
-  Exhibit room = room_exhibit(options.camera == "far" ? room_camera_far() : room_camera_near(),
-                              options.texels, world, eastward);
+  Exhibit room = room_exhibit(room_camera(options.camera), options.texels, world, eastward);
   if (picture && !on_globe)
     for (std::uint32_t half = room::north_wall; half < room::west_wall; ++half)
       room.scene.looks[half] = {Material{}, picture, {}};

@@ -154,6 +154,37 @@ TEST_CASE("command line: a refused value leaves the default") {
   CHECK(program.render.width == 900);
 }
 
+TEST_CASE("command line: an option that changes nothing beside the others is refused") {
+  const auto complaint = [](std::initializer_list<const char*> arguments) {
+    std::string view = "room";
+    std::string camera = "far";
+    std::string wall = "west";
+    bool flat = false;
+    lt::CommandLine line("program", "Has options that only some views use.");
+    line.add_choice("--view", view, {"room", "depth", "plan", "globe"}, "what to show");
+    line.add_choice("--camera", camera, {"far", "near"}, "where to stand");
+    line.add_choice("--wall", wall, {"west", "east"}, "which wall");
+    line.add_flag("--flat", flat, "flat normals");
+    line.only_for("--camera", "--view", {"room", "depth", "plan"});
+    line.only_for("--flat", "--view", {"room"});
+    line.needs("--wall", "--camera");
+    std::vector<const char*> argv = {"program"};
+    argv.insert(argv.end(), arguments);
+    return input_error([&] { (void)line.parse(static_cast<int>(argv.size()), argv.data()); });
+  };
+  const std::string fine = "(no error)";
+  CHECK(complaint({"--view", "globe", "--camera", "near"}) ==
+        "--camera is for --view room, depth or plan; leave it out for --view globe");
+  CHECK(complaint({"--view", "globe", "--camera", "far"}) != fine);  // even with its default
+  CHECK(complaint({"--flat", "--view", "plan"}) ==
+        "--flat is for --view room; leave it out for --view plan");
+  CHECK(complaint({"--wall", "east"}) == "--wall needs --camera; add it, or leave --wall out");
+  CHECK(complaint({}) == fine);
+  CHECK(complaint({"--flat"}) == fine);  // for the default view
+  CHECK(complaint({"--view", "plan", "--camera", "near", "--wall", "east"}) == fine);
+  CHECK(complaint({"--view", "globe"}) == fine);
+}
+
 TEST_CASE("command line: help goes to standard output and ends the program well") {
   const Captured out(std::cout);
   Program program;

@@ -100,9 +100,10 @@ TEST_CASE("gradient: the squares send the light of the lower row - not that of t
   CHECK(image.at(240, 20).r == Approx(lt::decode_srgb((237 + 48) / 2.0f / 255.0f)).epsilon(0.03));
 }
 
-TEST_CASE("glow: equal steps of light leave 16 levels where sRGB has 69") {
-  // 0.06 * 255 = 15.3, so codes 0 to 15; sRGB encodes 0.06 as 0.2718, code 69. Far from the middle
-  // the glow is not quite black, so that the lowest codes need not occur.
+TEST_CASE("glow: equal steps of light leave 16 levels where sRGB has 70") {
+  // 0.06 * 255 = 15.3, so codes 0 to 15: 16 levels. sRGB encodes 0.06 as 0.2718, times 255 is 69.3:
+  // codes 0 to 69, which are 70 levels. Far from the middle the glow is not quite black, so that
+  // the lowest codes need not occur.
   const std::set<int> equal = red_codes(view("glow", 480, 320, true));
   const std::set<int> srgb = red_codes(view("glow", 480, 320));
   CHECK(equal.size() <= 16);

@@ -105,3 +105,22 @@ TEST_CASE("views: depth is brighter nearer and black where nothing is") {
   CHECK(to_code(far) == 115);   // (6.5 - 4.25) / 5 of 255
   CHECK(view_depth(scene, Ray{{9, 0, 0}, forward}) == nothing);
 }
+
+TEST_CASE("views: depth lines are as wide for the eye however aslant the wall is") {
+  // From 1 m above a plane t is 1 / cos(theta), which grows by t tan(theta) a radian. A line is
+  // drawn where t is off a half metre by less than 0.0015 of that: 0.003 radians, at every t.
+  Scene scene;
+  scene.grounds = {{0.0f}};
+  for (const double t : {1.5, 2.0, 3.0, 4.5, 6.0}) {
+    const double step = 1e-5;  // radians
+    int drawn = 0;
+    for (int i = -400; i <= 400; ++i) {
+      const double theta = std::acos(1 / t) + i * step;
+      const Ray ray{{0, 1, 0}, vec3(std::sin(theta), -std::cos(theta), 0)};
+      const double bright = std::min(1.0, (6.5 - 1 / std::cos(theta)) / 5);
+      drawn += to_code(view_depth(scene, ray).x) < 0.8 * 255 * bright;  // a line has 0.6 of it
+    }
+    INFO("at " << t << " m");
+    CHECK(drawn * step == Approx(0.003).epsilon(0.05));
+  }
+}

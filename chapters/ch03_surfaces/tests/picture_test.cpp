@@ -62,6 +62,23 @@ TEST_CASE("globe: turned eastwards, the front moves to the right and the axis st
   CHECK(distance(rotate(globe_rotation(2.0f), {0, 1, 0}), pole) < 1e-6f);
 }
 
+TEST_CASE("views: from the wall's place you look along the bricks") {
+  // Bumps show where rays are nearly parallel to the wall: in the middle of the picture 0.34 m
+  // towards it on 1.15 m along it, atan(0.34 / 1.15) = 16.5 degrees.
+  const Scene room = three_sphere_room();
+  const auto is_brick = [&](const Ray& ray) {
+    const auto hit = closest_hit(room, ray);
+    return hit && hit->object / 2 == room::north_wall / 2;
+  };
+  int bricks = 0;
+  for (int x = 0; x < 90; ++x)
+    bricks += is_brick(camera_ray(room_camera("wall"), vec2(x, 36) + 0.5f, 90, 72));
+  CHECK(bricks > 45);  // more than half of the picture
+  const Ray middle = camera_ray(room_camera("wall"), {45, 36}, 90, 72);
+  CHECK(is_brick(middle));
+  CHECK(std::asin(middle.direction.z) == Approx(std::atan(0.34 / 1.15)).epsilon(0.01));
+}
+
 TEST_CASE("views: every view makes a picture of light, finite and not negative") {
   SurfaceViewOptions options;
   options.width = 21;  // odd, because the thesis' program had a white column there
