@@ -13,7 +13,7 @@ namespace lt {
 /// for 2 (3 x^2 if end is 1).
 struct PowerDensity {
   double power;    ///< k, > -1
-  double end = 1;  ///< above 0
+  double end = 1;  ///< positive
 
   /// cdf(x) = u, solved for x; with 1 - u for u, which is as uniform and never 0, where p may be 0.
   [[nodiscard]] double sample(double u) const { return end * std::pow(1 - u, 1 / (power + 1)); }
@@ -33,7 +33,7 @@ struct PowerDensity {
 // [exponential-density]
 /// p(x) = rate e^(-rate x) for x >= 0: how far light gets in fog.
 struct ExponentialDensity {
-  double rate = 1;  ///< above 0
+  double rate = 1;  ///< positive
 
   /// 1 - u is never 0 because u is never 1: the logarithm is finite.
   [[nodiscard]] double sample(double u) const { return -std::log(1 - u) / rate; }

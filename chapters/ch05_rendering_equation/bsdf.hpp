@@ -20,8 +20,8 @@ struct BsdfSample {
 
 // [bsdf]
 /// A BSDF at one point. Directions are unit, point away from the surface and are given in the local
-/// frame, z along the shading normal: `wo` to the previous vertex of the path (the camera's side, z
-/// > 0), `wi` to the next one (the light's side).
+/// frame, z along the shading normal: `wo` to the previous vertex of the path (the camera's side,
+/// with z > 0), `wi` to the next one (the light's side).
 ///   eval(wo, wi)   the BSDF f, without the cosine, 1/sr
 ///   sample(wo, u)  a direction made from three numbers in [0, 1); nothing if u leads nowhere
 ///   pdf(wo, wi)    density with which sample() proposes wi, 1/sr

@@ -76,9 +76,9 @@ inline void add_noise(Plot& plot, const std::string& name, const std::vector<Noi
 /// Chi-square, divided by its degrees of freedom, of 10^3 to 10^6 samples.
 [[nodiscard]] inline Series chi_square_growth(const NamedSampler& sampler, std::uint64_t seed) {
   Series series{sampler.name, {}, {}, true, true};
-  const DirectionBins bins(8, 16);
+  const DirectionBins bins(8, 8);
+  Pcg32 random(seed);
   for (double n = 1000; n < 1.1e6; n *= std::sqrt(10.0)) {
-    Pcg32 random(seed, static_cast<std::uint64_t>(n));
     const ChiSquare found = report_on(sampler, static_cast<int>(n), bins, random).chi_square;
     series.x.push_back(std::floor(n));
     series.y.push_back(found.statistic / found.degrees_of_freedom);

@@ -50,12 +50,12 @@ struct PairOptions {
 // [pair]
 
 // [gain]
-/// How many times as large a pixel's variance is with the uniform sampler, as a mean over its
+/// How many times as large a pixel's variance is with the uniform sampler, as a mean over its 24
 /// neighbours too, which the noise of a variance needs; 0 where neither has any.
 [[nodiscard]] inline double gain_at(const Image& uniform, const Image& cosine, int x, int y) {
   double sums[2] = {0, 0};
-  for (int j = std::max(0, y - 1); j <= std::min(uniform.height() - 1, y + 1); ++j)
-    for (int i = std::max(0, x - 1); i <= std::min(uniform.width() - 1, x + 1); ++i) {
+  for (int j = std::max(0, y - 2); j <= std::min(uniform.height() - 1, y + 2); ++j)
+    for (int i = std::max(0, x - 2); i <= std::min(uniform.width() - 1, x + 2); ++i) {
       sums[0] += dot(uniform.at(i, j), Rgb(1.0f));
       sums[1] += dot(cosine.at(i, j), Rgb(1.0f));
     }

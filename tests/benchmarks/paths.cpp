@@ -51,7 +51,8 @@ void add_paths() {
   add("paths/plain - uniform - list", false, 0, uniform);
   add("paths/plain - cosine - list", false, 0, cosine);
   add("paths/plain - cosine - packed", true, 0, cosine);
-  add("paths/textured 64 - cosine - packed", true, 64, cosine);
+  add("paths/textured 128 - cosine - list", false, 128, cosine);
+  add("paths/textured 128 - cosine - packed", true, 128, cosine);
   add("paths/textured 256 - cosine - packed", true, 256, cosine);
   add_picture("picture by the clock/1 thread", 1);
   add_picture("picture by the clock/2 threads", 2);
