@@ -16,7 +16,10 @@ namespace {
 #ifdef _WIN32
 // cmd.exe strips the outermost pair of quotes of the whole line.
 std::string quoted(const std::string& word) {
-  return "\"" + word + "\"";
+  std::string text = "\"";
+  for (const char c : word)
+    text += c == '"' ? std::string("\\\"") : std::string(1, c);
+  return text + "\"";
 }
 std::string shell_line(const std::string& line) {
   return "\"" + line + " <NUL\"";
