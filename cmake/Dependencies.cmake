@@ -18,6 +18,7 @@ function(lt_fetch name repository commit)
   endif()
   message(STATUS "${name}: not installed, fetching ${LT_GIT}/${repository}@${commit}")
   message(STATUS "  (if that fails: ${LT_INSTALL_LINE})")
+  set(CMAKE_POLICY_VERSION_MINIMUM 3.5) # CMake 4 reads what older ones wrote only when told so
   FetchContent_Declare(${name} GIT_REPOSITORY ${LT_GIT}/${repository} GIT_TAG ${commit} SYSTEM)
   FetchContent_MakeAvailable(${name})
   set(${name}_SOURCE_DIR "${${name}_SOURCE_DIR}" PARENT_SCOPE)

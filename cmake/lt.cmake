@@ -29,6 +29,9 @@ if(MSVC)
   target_compile_options(lt_options INTERFACE /W4 /permissive- /utf-8 /Zc:preprocessor)
   target_compile_definitions(lt_options INTERFACE _USE_MATH_DEFINES NOMINMAX
     _CRT_SECURE_NO_WARNINGS)
+  # Arguments, environment and file names in UTF-8, as everywhere else (Windows 10 1903 and later).
+  target_sources(lt_options INTERFACE
+    $<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:${LT_ROOT}/cmake/utf8.manifest>)
 else()
   target_compile_options(lt_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow
     # Honest speed: no errno from sqrt, no trapping; results stay the same for every compiler.

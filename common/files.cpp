@@ -1,9 +1,11 @@
 #include "common/files.hpp"
 
 #include <cerrno>
+#include <chrono>
 #include <fstream>
 #include <random>
 #include <system_error>
+#include <thread>
 
 #include "common/error.hpp"
 
@@ -49,6 +51,19 @@ std::string last_error(const std::string& otherwise) {
   return errno ? std::generic_category().message(errno) : otherwise;
 }
 
+// Tries until it succeeds. Windows refuses a file that another program has open, be it to look for
+// viruses, or that is being replaced: a moment later it agrees. Elsewhere one attempt tells all.
+template <class Attempt>
+void try_for_a_moment(const Attempt& attempt) {
+#ifdef _WIN32
+  constexpr int attempts = 200;
+#else
+  constexpr int attempts = 1;
+#endif
+  for (int i = 1; !attempt() && i < attempts; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+}
+
 // Removes a temporary file unless it has been renamed away.
 class TemporaryFile {
  public:
@@ -77,7 +92,11 @@ std::string printable(std::string_view text) {
 std::string read_file(const fs::path& path, std::size_t limit) {
   check_readable_kind(path);
   errno = 0;
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  std::ifstream file;
+  try_for_a_moment([&] {
+    file.open(path, std::ios::binary | std::ios::ate);
+    return file.is_open();
+  });
   // The size of what was opened: the path may name another file by now.
   const std::streamoff size = file ? static_cast<std::streamoff>(file.tellg()) : -1;
   if (size >= 0 && static_cast<std::uintmax_t>(size) > limit)
@@ -109,7 +128,10 @@ void write_file_whole(const fs::path& path, std::string_view bytes) {
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   file.close();
   if (!file) fail_to_write(path, last_error("it could not be finished"));
-  fs::rename(temporary.path(), target, error);
+  try_for_a_moment([&] {
+    fs::rename(temporary.path(), target, error);
+    return !error;
+  });
   if (error) fail_to_write(path, error.message());
 }
 

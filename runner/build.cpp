@@ -58,7 +58,7 @@ class BuildLine {
 void forget_if_moved(const fs::path& source, const fs::path& binary) {
   const fs::path cache = binary / "CMakeCache.txt";
   if (!fs::exists(cache)) return;
-  static const Pattern home(R"(CMAKE_HOME_DIRECTORY:INTERNAL=([^\n]*))");
+  static const Pattern home(R"(CMAKE_HOME_DIRECTORY:INTERNAL=([^\r\n]*))");
   const std::string text = read_file(cache);
   std::error_code ignored;
   const auto made_for = home.search(text);
@@ -82,9 +82,32 @@ void run_or_fail(const std::vector<std::string>& command, const ProcessOptions& 
   if (!result.succeeded()) throw BuildFailed(result.output);
 }
 
+bool is_configured(const fs::path& binary) {
+  const auto has = [&](const char* name) { return fs::exists(binary / name); };
+  return has("build.ninja") || has("Makefile") || has("ALL_BUILD.vcxproj");
+}
+
+// Ninja where it is. On Windows CMake chooses: Visual Studio finds its compiler in any terminal,
+// Ninja does not.
 std::vector<std::string> generator(const fs::path& binary) {
-  if (fs::exists(binary / "CMakeCache.txt") || !program_exists("ninja")) return {};
+#ifdef _WIN32
+  constexpr bool is_windows = true;
+#else
+  constexpr bool is_windows = false;
+#endif
+  if (is_windows || fs::exists(binary / "CMakeCache.txt") || !program_exists("ninja")) return {};
   return {"-G", "Ninja"};
+}
+
+// Visual Studio builds every configuration in one folder, and Debug unless told; others ignore it.
+std::vector<std::string> build_command(const fs::path& binary) {
+  return {"cmake",
+          "--build",
+          binary.string(),
+          "--config",
+          "Release",
+          "--parallel",
+          std::to_string(processor_count())};
 }
 
 void append(std::vector<std::string>& words, const std::vector<std::string>& more) {
@@ -101,7 +124,7 @@ fs::path settings_file(const fs::path& binary) {
 void configure(const Home& home, const std::string& preset) {
   const fs::path binary = home.build(preset);
   forget_if_moved(home.root, binary);
-  if (fs::exists(binary / "build.ninja") || fs::exists(binary / "Makefile")) return;
+  if (is_configured(binary)) return;
   std::vector<std::string> command{"cmake", "--preset", preset};
   append(command, generator(binary));
   ProcessOptions options = plain_english();
@@ -113,8 +136,7 @@ void configure_folder(const fs::path& source, const fs::path& binary,
                       const std::vector<std::string>& settings) {
   forget_if_moved(source, binary);
   const std::string wanted = join(settings, "\n") + "\n";
-  const bool is_configured = fs::exists(binary / "build.ninja") || fs::exists(binary / "Makefile");
-  if (is_configured && fs::exists(settings_file(binary)) &&
+  if (is_configured(binary) && fs::exists(settings_file(binary)) &&
       read_file(settings_file(binary)) == wanted) {
     return;
   }
@@ -127,8 +149,7 @@ void configure_folder(const fs::path& source, const fs::path& binary,
 
 void build(const fs::path& binary, const std::vector<std::string>& targets,
            const std::string& label) {
-  std::vector<std::string> command{"cmake", "--build", binary.string(), "--parallel",
-                                   std::to_string(processor_count())};
+  std::vector<std::string> command = build_command(binary);
   if (!targets.empty()) {
     command.push_back("--target");
     append(command, targets);
@@ -138,9 +159,9 @@ void build(const fs::path& binary, const std::vector<std::string>& targets,
 
 ProcessResult try_build(const fs::path& binary, const std::string& target,
                         const std::string& label) {
-  return run_with_line({"cmake", "--build", binary.string(), "--target", target, "--parallel",
-                        std::to_string(processor_count())},
-                       plain_english(), label, true);
+  std::vector<std::string> command = build_command(binary);
+  append(command, {"--target", target});
+  return run_with_line(command, plain_english(), label, true);
 }
 
 fs::path built_program(const fs::path& folder, const std::string& name) {

@@ -157,6 +157,8 @@ int test_command(const Home& home, Arguments& arguments) {
   std::vector<std::string> command{"ctest",
                                    "--test-dir",
                                    home.build(preset).string(),
+                                   "--build-config",
+                                   "Release",
                                    "--output-on-failure",
                                    "--no-tests=error",
                                    "--output-junit",
@@ -193,6 +195,16 @@ int bench_command(const Home& home, Arguments& arguments) {
   return 0;
 }
 
+// Runs a script of the repository.
+ProcessResult run_script(const std::vector<std::string>& words, const ProcessOptions& options) {
+  if (!program_exists("sh")) {
+    throw InputError("this needs a POSIX shell; on Windows type it in Git Bash or WSL");
+  }
+  std::vector<std::string> command{"sh"};
+  command.insert(command.end(), words.begin(), words.end());
+  return run_visibly(command, options);
+}
+
 int site_command(const Home& home, Arguments& arguments) {
   const bool wants_server = arguments.flag("--serve");
   const int port = arguments.number("--port", 8000, 0, 65535);
@@ -200,7 +212,7 @@ int site_command(const Home& home, Arguments& arguments) {
   const fs::path pages = home.build("site") / "html";
   ProcessOptions options;
   options.folder = home.root;
-  const ProcessResult built = run_visibly({"sh", "docs/build.sh", pages.string()}, options);
+  const ProcessResult built = run_script({"docs/build.sh", pages.generic_string()}, options);
   if (!built.succeeded()) throw OutputError("the site was not built: see above");
   if (!wants_server) return 0;
   try {
@@ -214,7 +226,7 @@ int site_command(const Home& home, Arguments& arguments) {
 
 int doctor_command(const Home& home, Arguments& arguments) {
   arguments.nothing_more();
-  return run_visibly({"sh", (home.root / "learn").string(), "doctor"}).exit_code;
+  return run_script({(home.root / "learn").generic_string(), "doctor"}, {}).exit_code;
 }
 
 }  // namespace

@@ -129,8 +129,8 @@ namespace {
 
 // A sanitizer maps more memory than we allow otherwise.
 bool has_sanitizer(const fs::path& build_folder) {
-  const std::string cache = read_file(build_folder / "CMakeCache.txt");
-  return cache.find("LT_SANITIZE:STRING=\n") == std::string::npos;
+  const std::vector<std::string> cache = split_lines(read_file(build_folder / "CMakeCache.txt"));
+  return std::find(cache.begin(), cache.end(), "LT_SANITIZE:STRING=") == cache.end();
 }
 
 // Build tools go by time. A file that was moved here may be older than the program that was built
@@ -151,7 +151,8 @@ Verdict Lesson::build_and_run(const Exercise& exercise, const std::string& answe
   const FileLock lock(home_.workspace.parent_path() /
                       (home_.workspace.filename().string() + ".lock"));
   configure_folder(home_.root / "exercises", home_.workspace,
-                   {"-DLT_MY=" + home_.my.string(), "-DLT_EXERCISES=" + home_.exercises.string()});
+                   {"-DLT_MY=" + home_.my.generic_string(),
+                    "-DLT_EXERCISES=" + home_.exercises.generic_string()});
   const std::string target = "ex_" + exercise.id;
   const fs::path mark = home_.workspace / (target + ".answer");
   make_newer_if_changed(workspace_.answer(exercise), answer, mark);

@@ -2,6 +2,7 @@
 /// Other programs: run them, read what they print, stop them when they take too long.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <stdexcept>
@@ -17,7 +18,8 @@ struct ProcessResult {
   int exit_code = 0;       ///< 127 if the program was not found
   int signal = 0;          ///< the signal that killed it, or 0
   bool timed_out = false;  ///< it was stopped because its time was over
-  std::string output;      ///< stdout and stderr in the order printed, the first 4 MB
+  std::string output;      ///< stdout and stderr in the order printed, the first 4 MB (on Windows
+                           ///< without carriage returns)
   [[nodiscard]] bool succeeded() const { return exit_code == 0 && signal == 0 && !timed_out; }
 };
 

@@ -42,7 +42,7 @@ TEST_CASE("test random: directions are unit and fill the sphere evenly") {
     CHECK(lt::kolmogorov_smirnov(samples, [](double x) { return (x + 1) / 2; }).p_value > 1e-6);
 }
 
-#ifndef _WIN32
+#ifndef _WIN32  // it has no setenv
 TEST_CASE("seeds: one normally, as many as the fairness check asks for, never by mistake") {
   const char* set = std::getenv("LT_FAIR_SEEDS");
   const std::string before = set ? set : "";

@@ -6,7 +6,7 @@
 #include "common/testkit/catch.hpp"
 #include "common/tests/temporary_folder.hpp"
 
-#ifndef _WIN32
+#ifndef _WIN32  // it has no terminals that a program can pretend to be
 #include <fcntl.h>
 #include <unistd.h>
 

@@ -73,7 +73,7 @@ TEST_CASE("learner: from the starter to done, and what happens when the course c
   CHECK(has(said(course, {"list"}, 0), "is made anew from your files"));
   CHECK(has(said(course, {"list"}, 0), "1 of 1 done"));
 
-#ifndef _WIN32
+#ifndef _WIN32  // it has no terminals that a program can pretend to be
   lt::test::TerminalProgram watch({LT_LEARN}, environment(course));
   CHECK(watch.shows("Every check holds."));
   ToyCourse::replace(course.answer(), "x / 2", "x * 2");

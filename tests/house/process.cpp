@@ -16,10 +16,17 @@ namespace {
 #ifdef _WIN32
 // cmd.exe strips the outermost pair of quotes of the whole line.
 std::string quoted(const std::string& word) {
-  return "\"" + word + "\"";
+  std::string text = "\"";
+  for (const char c : word)
+    text += c == '"' ? std::string("\\\"") : std::string(1, c);
+  return text + "\"";
 }
 std::string shell_line(const std::string& line) {
   return "\"" + line + " <NUL\"";
+}
+constexpr char enter[] = "cd /d ";  // to another drive as well
+void end_lines_plainly(std::string& text) {
+  std::erase(text, '\r');
 }
 int exit_code_of(int status) {
   return status;
@@ -35,6 +42,8 @@ std::string quoted(const std::string& word) {
 std::string shell_line(const std::string& line) {
   return line + " </dev/null";
 }
+constexpr char enter[] = "cd ";
+void end_lines_plainly(std::string&) {}
 
 int exit_code_of(int status) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
@@ -43,7 +52,9 @@ int exit_code_of(int status) {
 
 std::string slurp(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  end_lines_plainly(text);
+  return text;
 }
 
 }  // namespace
@@ -52,7 +63,7 @@ Outcome run(const std::vector<std::string>& command, const std::filesystem::path
   const TemporaryFolder streams;
   const std::filesystem::path out = streams.path() / "out";
   const std::filesystem::path err = streams.path() / "err";
-  std::string line = folder.empty() ? "" : "cd " + quoted(folder.string()) + " && ";
+  std::string line = folder.empty() ? "" : enter + quoted(folder.string()) + " && ";
   for (const std::string& word : command)
     line += quoted(word) + " ";
   line += ">" + quoted(out.string()) + " 2>" + quoted(err.string());
