@@ -9,10 +9,10 @@
 #include "runner/commands.hpp"
 #include "runner/contact_sheet.hpp"
 #include "runner/pictures.hpp"
+#include "runner/process.hpp"
 #include "runner/snippets.hpp"
 #include "runner/terminal.hpp"
 #include "runner/text.hpp"
-#include "runner/verdict.hpp"
 
 namespace lt {
 
