@@ -37,6 +37,9 @@ endfunction()
 function(lt_exercise_flags target)
   if(NOT MSVC)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> -UNDEBUG -Werror=return-type)
+    # A starter does not use the fields of its class yet.
+    target_compile_options(${target} PRIVATE
+      $<$<CXX_COMPILER_ID:Clang,AppleClang>:-Wno-unused-private-field>)
     target_compile_definitions(${target} PRIVATE _GLIBCXX_ASSERTIONS)
   endif()
 endfunction()

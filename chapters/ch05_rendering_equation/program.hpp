@@ -42,7 +42,8 @@ inline void print_speed(const Film& film, std::clock_t start) {
       paths += static_cast<double>(film.at(x, y).count);
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   char text[120];
-  std::snprintf(text, sizeof text, "%.2f million paths in %.1f s of processor time: %.2f million a second",
+  std::snprintf(text, sizeof text,
+                "%.2f million paths in %.1f s of processor time: %.2f million a second",
                 paths * 1e-6, seconds, paths * 1e-6 / std::max(seconds, 1e-3));
   std::cout << text << '\n';
 }
