@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "common/error.hpp"
+#include "common/files.hpp"
 #include "common/plot/axis.hpp"
 #include "common/plot/end_labels.hpp"
 #include "common/plot/style.hpp"
@@ -235,6 +237,11 @@ class Drawing {
 
 std::string to_svg(const Plot& plot) {
   return Drawing(plot).svg();
+}
+
+void require_plot_path(const std::filesystem::path& path) {
+  if (path.extension() == ".svg") return;
+  throw InputError("--out: " + printable(path.string()) + " is no plot; end it in .svg");
 }
 
 }  // namespace lt

@@ -2,6 +2,7 @@
 /// Line plots as SVG: dark and light, linear or logarithmic axes, labels at the lines.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -31,5 +32,8 @@ struct Plot {
 /// The plot as a complete SVG document, 720 x 440 units, legible at phone width; follows
 /// prefers-color-scheme.
 [[nodiscard]] std::string to_svg(const Plot& plot);
+
+/// @throws InputError  `path` does not end in ".svg"
+void require_plot_path(const std::filesystem::path& path);
 
 }  // namespace lt

@@ -108,8 +108,7 @@ inline void write_strip(const LitViewOptions& show, const RenderOptions& picture
 inline void write_plot(const std::string& name, const LitViewOptions& show,
                        const RenderOptions& picture, const std::filesystem::path& out,
                        const std::atomic<bool>& cancel) {
-  if (out.extension() != ".svg")
-    throw InputError("--out: " + printable(out.string()) + " is no plot; end it in .svg");
+  require_plot_path(out);
   const Plot plot = name == "noise" ? measured_noise_plot(show, picture, cancel)
                                     : furnace_plot(20'000, picture.seed);
   if (!cancel) write_file_whole(out, to_svg(plot));

@@ -75,8 +75,7 @@ inline void write_view(SamplingOptions show, const RenderOptions& picture,
 inline void write_plot(const std::string& name, const SamplingOptions& show,
                        const RenderOptions& picture, const std::filesystem::path& out,
                        const std::atomic<bool>& cancel) {
-  if (out.extension() != ".svg")
-    throw InputError("--out: " + printable(out.string()) + " is no plot; end it in .svg");
+  require_plot_path(out);
   const auto measured = [&](const std::string& sampler) {
     const SampledRoom room(show.texels);
     SampledRoomOptions how = show.room;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/error.hpp"
 #include "common/plot/end_labels.hpp"
 #include "common/plot/text.hpp"
 #include "common/testkit/catch.hpp"
@@ -202,4 +203,14 @@ TEST_CASE("plot: labels of curves that meet are in the order in which the curves
                                               {"middle", {0, 1, 2}, {0.5, 0.5, 1}}}));
   CHECK(svg.find(">high<") < svg.find(">middle<"));
   CHECK(svg.find(">middle<") < svg.find(">low<"));
+}
+
+TEST_CASE("plot path: a name that does not end in .svg is refused with the remedy") {
+  CHECK_NOTHROW(lt::require_plot_path("out/plot.svg"));
+  for (const char* name : {"plot.png", "plot", "plot.SVG", "svg", ".svg"}) {
+    INFO(name);
+    CHECK_THROWS_AS(lt::require_plot_path(name), lt::InputError);
+  }
+  CHECK_THROWS_WITH(lt::require_plot_path("plot.png"),
+                    "--out: plot.png is no plot; end it in .svg");
 }
