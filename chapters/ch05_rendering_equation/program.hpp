@@ -100,7 +100,7 @@ inline void write_strip(const LitViewOptions& show, const RenderOptions& picture
                     range_for(picture), cancel);
   for (const NoiseAt& at : measured)
     std::cout << at.samples << " samples per pixel: noise " << at.noise << " W/(m^2 sr)\n";
-  return noise_plot(measured);
+  return cancel ? Plot{} : noise_plot(measured);  // half a plot is none
 }
 
 /// Draws the plot `name` (noise or furnace).

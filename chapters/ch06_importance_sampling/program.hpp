@@ -86,7 +86,9 @@ inline void write_plot(const std::string& name, const SamplingOptions& show,
   const auto plot = [&] {
     if (name == "heights") return heights_plot(100'000, picture.seed);
     if (name == "chi-square") return chi_square_plot(picture.seed);
-    return noise_plot(measured("uniform"), measured("cosine"));
+    const auto uniform = measured("uniform");
+    const auto cosine = measured("cosine");
+    return cancel ? Plot{} : noise_plot(uniform, cosine);  // half a plot is none
   }();
   if (!cancel) write_file_whole(out, to_svg(plot));
 }
