@@ -15,6 +15,16 @@
 
 namespace lt {
 
+/// Says which views and plots use which options; these must have been added.
+inline void restrict_lit_options(CommandLine& line) {
+  for (const char* of_pictures : {"--view", "--camera", "--spp"})
+    line.only_for(of_pictures, "--plot", {"none"});
+  for (const char* of_room : {"--depth", "--wrong", "--texels", "--threads"})
+    line.only_for(of_room, "--plot", {"none", "noise"});
+  for (const char* of_far_and_near : {"--camera", "--spp"})  // the strip has its own
+    line.only_for(of_far_and_near, "--view", {"room"});
+}
+
 /// The picture's seed and threads, for render().
 [[nodiscard]] inline SampleRange range_for(const RenderOptions& picture) {
   return {.seed = picture.seed, .threads = picture.threads};

@@ -35,6 +35,7 @@ bool parse(Options& options, int argc, char** argv) {
   line.add_int("--texels", show.texels, 16, 4096, "side of the walls' textures");
   lt::add_picture_options(line, options.picture);
   lt::add_sampling_options(line, options.picture);
+  lt::restrict_sampling_options(line);
   return line.parse(argc, argv);
 }
 
