@@ -4,11 +4,11 @@
 
 #include <array>
 #include <cstdint>
-#include <ctime>
 #include <string>
 
 #include "ch05_rendering_equation/progressive.hpp"
 #include "common/testkit/statistics.hpp"
+#include "common/timing.hpp"
 
 namespace lt {
 
@@ -72,9 +72,9 @@ template <RadianceEstimator Estimator>
 template <RadianceEstimator Estimator>
 [[nodiscard]] SampleCost measure_cost(const Camera& camera, const Estimator& estimate, int width,
                                       int height, const SampleRange& range) {
-  const std::clock_t start = std::clock();
+  const ProcessorTimer timer;
   const Image variances = pixel_variances(camera, estimate, width, height, range);
-  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  const double seconds = timer.seconds();
   const double samples = static_cast<double>(width) * height * (range.last - range.first);
   return {mean_of(variances), seconds / samples};
 }
