@@ -1,6 +1,8 @@
 // What each mistake does, in numbers; and which test would not have seen it.
 #include "ch05_rendering_equation/mistakes.hpp"
 
+#include <numbers>
+
 #include "ch05_rendering_equation/furnace.hpp"
 #include "ch05_rendering_equation/tests/scenes.hpp"
 #include "common/testkit/catch.hpp"
@@ -10,7 +12,7 @@ using namespace lt::testing;
 
 namespace {
 
-constexpr double pi_exactly = 3.14159265358979323846;
+constexpr double pi_exactly = std::numbers::pi;
 const Ray towards_ball{{0.3f, 0.2f, -3.0f}, {0.0f, 0.0f, 1.0f}};
 
 // A ball of albedo 0.5 under a sky of 1: it shows 0.5.
