@@ -46,10 +46,7 @@ inline void print_pass(const Film& before, const Film& film) {
 
 /// One line: how many paths, and how many in a second of processor time.
 inline void print_speed(const Film& film, const ProcessorTimer& timer) {
-  double paths = 0;
-  for (int y = 0; y < film.height(); ++y)
-    for (int x = 0; x < film.width(); ++x)
-      paths += static_cast<double>(film.at(x, y).count);
+  const auto paths = static_cast<double>(summary(film).total);
   const double seconds = timer.seconds();
   char text[120];
   std::snprintf(text, sizeof text,
