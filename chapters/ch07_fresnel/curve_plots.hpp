@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ch07_fresnel/fresnel.hpp"
@@ -113,17 +114,17 @@ template <class F>
   return plot;
 }
 
-/// A metal in red, green and blue.
+/// A metal in blue, red and green: in this order the kit's first three colors fit.
 [[nodiscard]] inline Plot metal_plot(const std::string& name, const Metal& metal) {
   Plot plot =
       angle_plot("From air to " + name,
-                 "Reflected share for red, green and blue light. Metals reflect most of the "
-                 "light at every angle, and the colors differ; towards 90 degrees all come "
-                 "to 1, so that the edge of a metal ball is white.");
-  const char* channels[] = {"red", "green", "blue"};
-  for (int i = 0; i < 3; ++i)
-    plot.series.push_back(over_angles(channels[i], [&](double c) {
-      return fresnel_conductor(c, 1.0, double{metal.eta[i]}, double{metal.k[i]});
+                 "Reflected share for red, green and blue light. It hardly changes up to 60 "
+                 "degrees; then all colors rise to 1 at 90 degrees, so that the edge of a "
+                 "metal ball is white.");
+  const std::pair<const char*, int> channels[] = {{"blue", 2}, {"red", 0}, {"green", 1}};
+  for (const auto& [color, channel] : channels)
+    plot.series.push_back(over_angles(color, [&, c = channel](double cos_here) {
+      return fresnel_conductor(cos_here, 1.0, double{metal.eta[c]}, double{metal.k[c]});
     }));
   return plot;
 }
