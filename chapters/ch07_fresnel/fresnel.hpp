@@ -64,6 +64,12 @@ template <std::floating_point Real>
 }
 // [dielectric]
 
+/// Of a complex number.
+template <std::floating_point Real>
+[[nodiscard]] Real squared_length(Real real_part, Real imaginary_part) {
+  return real_part * real_part + imaginary_part * imaginary_part;
+}
+
 // [conductor]
 /// The same for a metal, whose index is complex: eta + i k. Thesis eq. 9, corrected (Lagarde 2013).
 /// @param cos_here  cosine of the angle to the normal, 0 to 1
@@ -79,16 +85,15 @@ template <std::floating_point Real>
   const Real squared_cos = cos_here * cos_here;
   const Real squared_sin = 1 - squared_cos;
 
-  // With a + i b = sqrt((eta + i k)^2 - sin^2): the complex cosine beyond, times the index.
+  // a + i b = sqrt((eta + i k)^2 - sin^2): the index times the cosine beyond, both complex.
   const Real real_part = squared_eta - squared_k - squared_sin;
   const Real length = std::sqrt(real_part * real_part + 4 * squared_eta * squared_k);  // a^2 + b^2
   const Real a = std::sqrt(std::max(Real(0), (length + real_part) / 2));
+  const Real b = std::sqrt(std::max(Real(0), (length - real_part) / 2));
 
-  const Real across = 2 * a * cos_here;
-  const Real s = (length + squared_cos - across) / (length + squared_cos + across);
-  const Real along = across * squared_sin;
-  const Real even = squared_cos * length + squared_sin * squared_sin;
-  const Real p = s * (even - along) / (even + along);
+  const Real s = squared_length(a - cos_here, b) / squared_length(a + cos_here, b);
+  const Real p = s * squared_length(a * cos_here - squared_sin, b * cos_here) /
+                 squared_length(a * cos_here + squared_sin, b * cos_here);
   return (s + p) / 2;
 }
 // [conductor]

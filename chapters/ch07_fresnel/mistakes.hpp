@@ -73,12 +73,13 @@ template <std::floating_point Real>
   const Real squared_sin = 1 - squared_cos;
   const Real real_part = squared_eta - squared_k - squared_sin;
   const Real length = std::sqrt(real_part * real_part + 4 * squared_eta * squared_k);
-  const Real a = std::sqrt((length + (1 - squared_k - squared_sin)) / 2);  // 1: n_here / n_here
-  const Real across = 2 * a * cos_here;
-  const Real s = (length + squared_cos - across) / (length + squared_cos + across);
-  const Real along = across * squared_sin;
-  const Real even = squared_cos * length + squared_sin * squared_sin;
-  return s * (1 + (even - along) / (even + along)) / 2;
+  const Real printed = 1 - squared_k - squared_sin;  // 1 is n_here / n_here; right is squared_eta
+  const Real a = std::sqrt((length + printed) / 2);
+  const Real b = std::sqrt((length - printed) / 2);
+  const Real s = squared_length(a - cos_here, b) / squared_length(a + cos_here, b);
+  const Real p = s * squared_length(a * cos_here - squared_sin, b * cos_here) /
+                 squared_length(a * cos_here + squared_sin, b * cos_here);
+  return (s + p) / 2;
 }
 
 struct MirrorAsPrinted : Mirror {

@@ -86,6 +86,6 @@ TEST_CASE("fresnel: a million corners give shares between 0 and 1 and nothing el
     const float metal = fresnel_conductor(c, here, beyond, k);
     CAPTURE(c, here, beyond, k, clear, metal);
     if (!(clear >= 0.0f && clear <= 1.0f)) REQUIRE(false);
-    if (!(metal >= 0.0f && metal <= 1.000001f)) REQUIRE(false);
+    if (!(metal >= 0.0f && metal <= 1.0f)) REQUIRE(false);
   }
 }

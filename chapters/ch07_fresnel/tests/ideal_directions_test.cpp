@@ -33,7 +33,7 @@ TEST_CASE("reflected: unit, in the plane of wo and h, at the same angle on the o
     REQUIRE(length(wi) == Approx(1).epsilon(1e-6));
     REQUIRE(dot(wi, h) == close_to(dot(wo, h), 1e-6));
     REQUIRE(wo + wi == close_to(2 * dot(wo, h) * h, 1e-6));  // their sum lies along h
-    REQUIRE(reflected(wi, h) == close_to(wo, 1e-6));
+    REQUIRE(reflected(wi, h) == close_to(wo, 3e-6));
   }
 }
 
@@ -71,10 +71,11 @@ TEST_CASE("refracted: the way back is the way") {
     const auto wi = refracted(wo, h, eta);
     REQUIRE(wi);  // into the denser medium there is always a way
     const auto back = refracted(*wi, -h, 1.0f / eta);
-    // Near the horizon the way back is vertical as a function of its cosine.
+    // Near the horizon the cosine is the root of a small difference: an error of 1e-6 becomes one
+    // of 1e-6 / cosine.
     if (dot(wo, h) < 0.01f) continue;
     REQUIRE(back);
-    REQUIRE(*back == close_to(wo, 1e-4));
+    REQUIRE(*back == close_to(wo, 5e-6 / dot(wo, h)));
   }
 }
 
