@@ -114,12 +114,12 @@ template <class F>
   return plot;
 }
 
-/// A metal in blue, red and green: in this order the kit's first three colors fit.
+/// A metal in blue, red and green: in this order the kit's first three colours fit.
 [[nodiscard]] inline Plot metal_plot(const std::string& name, const Metal& metal) {
   Plot plot =
       angle_plot("From air to " + name,
                  "Reflected share for red, green and blue light. It hardly changes up to 60 "
-                 "degrees; then all colors rise to 1 at 90 degrees, so that the edge of a "
+                 "degrees; then all colours rise to 1 at 90 degrees, so that the edge of a "
                  "metal ball is white.");
   const std::pair<const char*, int> channels[] = {{"blue", 2}, {"red", 0}, {"green", 1}};
   for (const auto& [color, channel] : channels)

@@ -99,7 +99,7 @@ template <std::floating_point Real>
 // [conductor]
 
 // [conductor-rgb]
-/// A metal in color: each channel has an index of its own.
+/// A metal in colour: each channel has an index of its own.
 [[nodiscard]] inline Rgb fresnel_conductor(float cos_here, float n_here, Rgb eta, Rgb k) {
   return {fresnel_conductor(cos_here, n_here, eta.r, k.r),
           fresnel_conductor(cos_here, n_here, eta.g, k.g),

@@ -12,7 +12,7 @@ namespace lt {
 /// A smooth metal in air.
 struct Mirror {
   Metal metal;
-  Rgb tint{1.0f};  ///< 0 to 1; 1 where the metal's indices bring the color
+  Rgb tint{1.0f};  ///< 0 to 1; 1 where the metal's indices bring the colour
 
   [[nodiscard]] Rgb eval(vec3 /*wo*/, vec3 /*wi*/) const { return Rgb(0.0f); }
 
