@@ -21,8 +21,8 @@ namespace lt {
 
 /// A window onto the clear sphere, and one onto the metal one.
 [[nodiscard]] inline Camera glass_camera() {
-  Camera camera = look_at({1.5f, 1.2f, -1.4f}, {1.5f, 0.72f, 1.5f});
-  camera.field_of_view = radians(32.0f);
+  Camera camera = look_at({1.5f, 1.2f, -1.4f}, {1.5f, 0.68f, 1.5f});
+  camera.field_of_view = radians(34.0f);
   return camera;
 }
 [[nodiscard]] inline Camera metal_camera() {
