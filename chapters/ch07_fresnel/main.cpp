@@ -3,6 +3,7 @@
 
 #include <iostream>
 
+#include "ch07_fresnel/cost.hpp"
 #include "ch07_fresnel/program.hpp"
 #include "ch07_fresnel/tables.hpp"
 #include "common/interrupt.hpp"
@@ -33,7 +34,8 @@ bool parse(Options& options, int argc, char** argv) {
       "--plot", options.plot,
       {"none", "polarised", "outside", "inside", "gold", "silver", "copper", "schlick", "printed"},
       "draw curves instead (SVG)");
-  line.add_choice("--table", options.table, {"none", "reflectance"}, "print numbers instead");
+  line.add_choice("--table", options.table, {"none", "reflectance", "cost"},
+                  "print numbers instead");
   line.only_for("--camera", "--view", {"room"});
   line.only_for("--metal", "--view", {"room", "metal"});
   line.only_for("--metal", "--wrong", {"none"});
@@ -51,7 +53,7 @@ bool parse(Options& options, int argc, char** argv) {
 void run(const Options& options, const std::atomic<bool>& cancel) {
   const auto& [picture, show, plot, table] = options;
   if (table != "none") {
-    std::cout << lt::reflectance_table();
+    std::cout << (table == "cost" ? lt::cost_table(500) : lt::reflectance_table());
     return;
   }
   std::filesystem::path out = picture.out;

@@ -44,6 +44,7 @@ struct SmoothViewOptions {
 
 // [smooth-estimator]
 /// The recursion of chapter 5, with what happens at a surface known when the program is compiled.
+/// @param bsdf_at  a function object: of a plain function only the address would be known
 template <Scattering Model>
 [[nodiscard]] AnyEstimator estimator_with(const TexturedScene& scene, const Model& bsdf_at,
                                           int depth) {
@@ -66,10 +67,13 @@ template <Scattering Model>
     return with_glass([](const Surface& s) { return m::GlassWithoutScale{glass_at(s)}; });
   if (show.wrong == "twice")
     return with_glass([](const Surface& s) { return m::GlassChosenAndWeighted{glass_at(s)}; });
-  if (show.wrong == "printed") return estimator_with(scene, m::printed_mirror_at, show.depth);
+  if (show.wrong == "printed")
+    return estimator_with(
+        scene, [](const Surface& s) { return m::printed_mirror_at(s); }, show.depth);
   if (show.metal != "thesis")
     return estimator_with(scene, SmoothWithMetal{metal_named(show.metal)}, show.depth);
-  return estimator_with(scene, smooth_bsdf_at, show.depth);
+  return estimator_with(
+      scene, [](const Surface& s) { return smooth_bsdf_at(s); }, show.depth);
 }
 // [smooth-estimator]
 

@@ -1,6 +1,7 @@
 #include "ch07_fresnel/program.hpp"
 
 #include "ch01_pixels/tests/temporary_folder.hpp"
+#include "ch07_fresnel/cost.hpp"
 #include "ch07_fresnel/tables.hpp"
 #include "common/testkit/catch.hpp"
 
@@ -83,4 +84,11 @@ TEST_CASE("program: the table has glass at 60 degrees from both sides") {
   const std::string table = reflectance_table();
   CHECK(table.find("0.0892") != std::string::npos);
   CHECK(table.find("1.0000 1.0000") != std::string::npos);
+}
+
+TEST_CASE("program: every row of the table of costs is a time") {
+  const std::string table = cost_table(1);
+  CHECK(std::count(table.begin(), table.end(), '\n') == 8);
+  CHECK(table.find("nan") == std::string::npos);
+  CHECK(table.find("inf") == std::string::npos);
 }

@@ -90,7 +90,7 @@ TEST_CASE("smooth room: the picture is the same for any number of threads") {
   const TexturedScene scene = smooth_room(16, 1.5f);
   const auto film = [&](int threads) {
     Film made(33, 21);
-    render(made, room_camera_far(), estimator_with(scene, smooth_bsdf_at, 8),
+    render(made, room_camera_far(), estimator_for({.depth = 8}, scene),
            {.last = 2, .threads = threads, .tile_size = 8}, never);
     return made;
   };
