@@ -2,6 +2,8 @@
 /// Line plots as SVG: dark and light, linear or logarithmic axes, labels at the lines.
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,11 @@ struct Series {
   bool show_line = true;
   bool show_points = false;
   int color_of = -1;  ///< wears the color of the series of this number; -1: its own
+
+  void add(double x_value, double y_value) {
+    x.push_back(x_value);
+    y.push_back(y_value);
+  }
 };
 
 /// A plot with its axes.
@@ -28,8 +35,17 @@ struct Plot {
   std::vector<Series> series;
 };
 
+/// Adds what was measured as dots and what is expected there as a labelled line, in one color.
+/// @param measured  its points; label and looks do not count
+/// @param expected  called with each x of `measured`
+void add_dots_and_line(Plot& plot, Series measured, const std::string& label,
+                       const std::function<double(double x)>& expected);
+
 /// The plot as a complete SVG document, 720 x 440 units, legible at phone width; follows
 /// prefers-color-scheme.
 [[nodiscard]] std::string to_svg(const Plot& plot);
+
+/// @throws InputError  `path` does not end in ".svg"
+void require_plot_path(const std::filesystem::path& path);
 
 }  // namespace lt

@@ -27,6 +27,11 @@ struct Command {
 /// The course: render, chapter, figures, snippets, test, bench, site, doctor.
 [[nodiscard]] std::vector<Command> course_commands();
 
+/// What is measured of the whole course: `test` and `bench`.
+/// @return the exit code: 0 if every test passes, or if the benchmarks ran
+int test_command(const Home& home, Arguments& arguments);
+int bench_command(const Home& home, Arguments& arguments);
+
 /// What is proved of the exercises: `verify --all` and its hidden parts.
 /// @return the exit code: 0 if everything holds
 int verify_command(const Home& home, Arguments& arguments);

@@ -20,8 +20,7 @@ namespace lt {
   Series curve{"sRGB", {}, {}};
   for (int i = 0; i <= 400; ++i) {
     const float signal = static_cast<float>(i) / 400.0f;
-    curve.x.push_back(decode_srgb(signal));
-    curve.y.push_back(255.0 * signal);
+    curve.add(decode_srgb(signal), 255.0 * signal);
   }
   plot.series = {curve, {"equal steps of light", {0.0, 1.0}, {0.0, 255.0}}};
   return plot;
@@ -44,12 +43,10 @@ namespace lt {
   Series equal{"linear codes", {}, {}};
   Series srgb{"sRGB codes", {}, {}};
   for (int code = 1; code < 255; ++code) {
-    equal.x.push_back(code / 255.0);
-    equal.y.push_back(100.0 / code);
+    equal.add(code / 255.0, 100.0 / code);
     const double here = from_code(static_cast<std::uint8_t>(code));
     const double next = from_code(static_cast<std::uint8_t>(code + 1));
-    srgb.x.push_back(here);
-    srgb.y.push_back(100.0 * (next - here) / here);
+    srgb.add(here, 100.0 * (next - here) / here);
   }
   plot.series = {srgb, equal, {"just visible: 1 %", {0.0003, 1.0}, {1.0, 1.0}}};
   return plot;

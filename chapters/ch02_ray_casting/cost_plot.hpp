@@ -69,16 +69,11 @@ inline void add_to_plot(Plot& plot, const std::string& name, const std::vector<C
   char label[80];
   std::snprintf(label, sizeof label, "%s: %.0f + %.1f n%s", name.c_str(), law.start, law.slope,
                 power == 2 ? "\u00b2" : "");
-  Series points{"", {}, {}, false, true};
-  Series line{label, {}, {}, true, false, static_cast<int>(plot.series.size())};
-  for (const Cost& cost : costs) {
-    points.x.push_back(cost.spheres);
-    points.y.push_back(cost.nanoseconds);
-    line.x.push_back(cost.spheres);
-    line.y.push_back(law.start + law.slope * std::pow(cost.spheres, power));
-  }
-  plot.series.push_back(points);
-  plot.series.push_back(line);
+  Series measured;
+  for (const Cost& cost : costs)
+    measured.add(cost.spheres, cost.nanoseconds);
+  add_dots_and_line(plot, measured, label,
+                    [&](double n) { return law.start + law.slope * std::pow(n, power); });
 }
 
 [[nodiscard]] inline Plot cost_plot(const Costs& costs) {

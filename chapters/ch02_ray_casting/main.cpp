@@ -37,8 +37,7 @@ bool parse(Options& options, int argc, char** argv) {
 }
 
 void write_plot(const Options& options, const std::filesystem::path& out) {
-  if (out.extension() != ".svg")
-    throw lt::InputError("--out: " + lt::printable(out.string()) + " is no plot; end it in .svg");
+  lt::require_plot_path(out);
   const lt::Costs costs = options.measure ? lt::measure_costs() : lt::stored_costs();
   if (options.measure)
     std::cout << lt::table(costs) << "room: " << std::lround(lt::measure_room()) << " ns a ray\n";

@@ -26,9 +26,8 @@ namespace lt {
   Series steps{"samples", {}, {}};
   for (int i = 0; i < bins; ++i)
     for (const int end : {i, i + 1}) {
-      steps.x.push_back(a + width * end);
-      steps.y.push_back(counts[static_cast<std::size_t>(i)] /
-                        (width * static_cast<double>(samples.size())));
+      steps.add(a + width * end, counts[static_cast<std::size_t>(i)] /
+                                     (width * static_cast<double>(samples.size())));
     }
   return steps;
 }
@@ -40,8 +39,8 @@ template <class Function>
   Series series{label, {}, {}};
   constexpr int steps = 240;
   for (int i = 0; i <= steps; ++i) {
-    series.x.push_back(a + (b - a) * i / steps);
-    series.y.push_back(f(series.x.back()));
+    const double x = a + (b - a) * i / steps;
+    series.add(x, f(x));
   }
   return series;
 }

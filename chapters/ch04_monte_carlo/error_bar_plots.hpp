@@ -125,11 +125,9 @@ template <class Sample>
   const auto runs = static_cast<double>(sorted.size());
   for (std::size_t i = 0; i < sorted.size(); ++i)
     for (const std::size_t below : {i, i + 1}) {
-      steps.x.push_back(sorted[i]);
-      steps.y.push_back(static_cast<double>(below) / runs);
+      steps.add(sorted[i], static_cast<double>(below) / runs);
     }
-  steps.x.push_back(1);
-  steps.y.push_back(1);
+  steps.add(1, 1);
   return steps;
 }
 

@@ -60,17 +60,11 @@ struct NamedEstimator {
 /// Adds the measured errors as points and the fitted law as a line.
 inline void add_errors(Plot& plot, const std::string& name, const std::vector<ErrorAtN>& errors) {
   const PowerLaw law = law_of(errors);
-  Series points{"", {}, {}, false, true};
-  Series line{name + ": " + slope_text(law), {}, {}};
-  for (const ErrorAtN& error : errors) {
-    points.x.push_back(error.n);
-    points.y.push_back(error.rms());
-    line.x.push_back(error.n);
-    line.y.push_back(law.factor * std::pow(error.n, law.slope));
-  }
-  points.color_of = static_cast<int>(plot.series.size()) + 1;
-  plot.series.push_back(points);
-  plot.series.push_back(line);
+  Series measured;
+  for (const ErrorAtN& error : errors)
+    measured.add(error.n, error.rms());
+  add_dots_and_line(plot, measured, name + ": " + slope_text(law),
+                    [&](double n) { return law.at(n); });
 }
 // [add-errors]
 

@@ -40,8 +40,7 @@ bool parse(Options& options, int argc, char** argv) {
 }
 
 void write_plot(const Options& options, const std::filesystem::path& out) {
-  if (out.extension() != ".svg")
-    throw lt::InputError("--out: " + lt::printable(out.string()) + " is no plot; end it in .svg");
+  lt::require_plot_path(out);
   lt::write_file_whole(
       out, lt::to_svg(lt::make_plot(options.plot, options.chance.samples, options.picture.seed)));
 }

@@ -27,8 +27,7 @@ template <class Value>
     mean.add(value(random));
     if (mean.count() < next) continue;
     next += 1 + next / 20;
-    series.x.push_back(static_cast<double>(mean.count()));
-    series.y.push_back(mean.mean());
+    series.add(static_cast<double>(mean.count()), mean.mean());
   }
   return series;
 }
@@ -66,10 +65,8 @@ template <class Value>
   for (int power = 0; power <= 12; ++power) {
     const double offset = std::pow(10.0, power);
     const mistakes::Variances found = mistakes::variances_at_offset(offset, seed);
-    welford.x.push_back(offset);
-    welford.y.push_back(std::abs(found.welford / found.exact - 1));
-    naive.x.push_back(offset);
-    naive.y.push_back(std::abs(found.naive / found.exact - 1));
+    welford.add(offset, std::abs(found.welford / found.exact - 1));
+    naive.add(offset, std::abs(found.naive / found.exact - 1));
   }
   Plot plot;
   plot.title = "Variance of a thousand values, far from 0";

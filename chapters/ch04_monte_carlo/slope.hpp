@@ -14,6 +14,8 @@ struct PowerLaw {
   double slope;
   double standard_error;  ///< of the slope, from how far the points lie off the line
   double factor;
+
+  [[nodiscard]] double at(double x) const { return factor * std::pow(x, slope); }
 };
 // [power-law]
 

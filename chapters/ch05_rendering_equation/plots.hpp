@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ch04_monte_carlo/slope.hpp"
 #include "ch05_rendering_equation/furnace.hpp"
 #include "ch05_rendering_equation/progressive.hpp"
 #include "ch05_rendering_equation/radiance.hpp"
@@ -41,41 +42,27 @@ template <RadianceEstimator Estimator>
 }
 // [measure-noise]
 
-/// noise = scale * samples^slope
-struct NoiseLaw {
-  double scale;
-  double slope;
-};
-
-// [fit-noise]
-/// The straight line through log(noise) over log(samples), by least squares.
-/// @param measured  two at least
-[[nodiscard]] inline NoiseLaw fit_noise(const std::vector<NoiseAt>& measured) {
-  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-  for (const NoiseAt& at : measured) {
-    const double u = std::log(at.samples);
-    const double v = std::log(at.noise);
-    n += 1, x += u, y += v, xx += u * u, xy += u * v;
-  }
-  const double slope = (n * xy - x * y) / (n * xx - x * x);
-  return {std::exp((y - slope * x) / n), slope};
+/// Measured noise as points.
+[[nodiscard]] inline Series points_of(const std::vector<NoiseAt>& measured) {
+  Series points;
+  for (const NoiseAt& at : measured)
+    points.add(at.samples, at.noise);
+  return points;
 }
-// [fit-noise]
+
+/// The power law that the noise follows.
+/// @param measured  three at least
+[[nodiscard]] inline PowerLaw law_of(const std::vector<NoiseAt>& measured) {
+  const Series points = points_of(measured);
+  return fit_power_law(points.x, points.y);
+}
 
 /// The measured noise, and the line through it.
-/// @param measured  two at least
+/// @param measured  three at least
 [[nodiscard]] inline Plot noise_plot(const std::vector<NoiseAt>& measured) {
-  const NoiseLaw law = fit_noise(measured);
+  const PowerLaw law = law_of(measured);
   char label[40];
   std::snprintf(label, sizeof label, "slope %.2f", law.slope);
-  Series points{"", {}, {}, false, true};
-  Series line{label, {}, {}, true, false, 0};
-  for (const NoiseAt& at : measured) {
-    points.x.push_back(at.samples);
-    points.y.push_back(at.noise);
-    line.x.push_back(at.samples);
-    line.y.push_back(law.scale * std::pow(at.samples, law.slope));
-  }
   Plot plot;
   plot.title = "Noise of the room";
   plot.x_label = "samples per pixel";
@@ -84,7 +71,8 @@ struct NoiseLaw {
   plot.description =
       "Dots are measured, the line is fitted, both axes are logarithmic. The noise falls along a "
       "straight line: four times the samples, half the noise.";
-  plot.series = {points, line};
+  add_dots_and_line(plot, points_of(measured), label,
+                    [&](double samples) { return law.at(samples); });
   return plot;
 }
 
@@ -116,16 +104,12 @@ struct NoiseLaw {
   for (const float albedo : {0.8f, 0.5f}) {
     char label[40];
     std::snprintf(label, sizeof label, "albedo %.1f", albedo);
-    Series line{label, {}, {}, true, false, static_cast<int>(plot.series.size())};
-    Series dots{"", {}, {}, false, true};
-    for (int depth = 0; depth <= 16; ++depth) {
-      line.x.push_back(depth);
-      line.y.push_back(furnace_radiance(1, albedo, depth));
-      dots.x.push_back(depth);
-      dots.y.push_back(measure_furnace(albedo, depth, paths, seed).mean());
-    }
-    plot.series.push_back(dots);
-    plot.series.push_back(line);
+    Series measured;
+    for (int depth = 0; depth <= 16; ++depth)
+      measured.add(depth, measure_furnace(albedo, depth, paths, seed).mean());
+    add_dots_and_line(plot, measured, label, [=](double depth) {
+      return furnace_radiance(1, albedo, static_cast<int>(depth));
+    });
   }
   return plot;
 }

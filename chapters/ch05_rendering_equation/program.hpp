@@ -42,7 +42,8 @@ inline void print_speed(const Film& film, std::clock_t start) {
       paths += static_cast<double>(film.at(x, y).count);
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   char text[120];
-  std::snprintf(text, sizeof text, "%.2f million paths in %.1f s of processor time: %.2f a second",
+  std::snprintf(text, sizeof text,
+                "%.2f million paths in %.1f s of processor time: %.2f million a second",
                 paths * 1e-6, seconds, paths * 1e-6 / std::max(seconds, 1e-3));
   std::cout << text << '\n';
 }
@@ -99,7 +100,7 @@ inline void write_strip(const LitViewOptions& show, const RenderOptions& picture
                     range_for(picture), cancel);
   for (const NoiseAt& at : measured)
     std::cout << at.samples << " samples per pixel: noise " << at.noise << " W/(m^2 sr)\n";
-  return noise_plot(measured);
+  return cancel ? Plot{} : noise_plot(measured);  // half a plot is none
 }
 
 /// Draws the plot `name` (noise or furnace).
@@ -107,8 +108,7 @@ inline void write_strip(const LitViewOptions& show, const RenderOptions& picture
 inline void write_plot(const std::string& name, const LitViewOptions& show,
                        const RenderOptions& picture, const std::filesystem::path& out,
                        const std::atomic<bool>& cancel) {
-  if (out.extension() != ".svg")
-    throw InputError("--out: " + printable(out.string()) + " is no plot; end it in .svg");
+  require_plot_path(out);
   const Plot plot = name == "noise" ? measured_noise_plot(show, picture, cancel)
                                     : furnace_plot(20'000, picture.seed);
   if (!cancel) write_file_whole(out, to_svg(plot));

@@ -42,18 +42,9 @@ namespace lt {
 
 /// Measured points of noise and the fitted law, in one colour.
 inline void add_noise(Plot& plot, const std::string& name, const std::vector<NoiseAt>& measured) {
-  const NoiseLaw law = fit_noise(measured);
-  Series points{"", {}, {}, false, true};
-  Series line{name, {}, {}};
-  for (const NoiseAt& at : measured) {
-    points.x.push_back(at.samples);
-    points.y.push_back(at.noise);
-    line.x.push_back(at.samples);
-    line.y.push_back(law.scale * std::pow(at.samples, law.slope));
-  }
-  line.color_of = static_cast<int>(plot.series.size());
-  plot.series.push_back(points);
-  plot.series.push_back(line);
+  const PowerLaw law = law_of(measured);
+  add_dots_and_line(plot, points_of(measured), name,
+                    [&](double samples) { return law.at(samples); });
 }
 
 /// The noise of both samplers against samples per pixel.
@@ -80,8 +71,7 @@ inline void add_noise(Plot& plot, const std::string& name, const std::vector<Noi
   Pcg32 random(seed);
   for (double n = 1000; n < 1.1e6; n *= std::sqrt(10.0)) {
     const ChiSquare found = report_on(sampler, static_cast<int>(n), bins, random).chi_square;
-    series.x.push_back(std::floor(n));
-    series.y.push_back(found.statistic / found.degrees_of_freedom);
+    series.add(std::floor(n), found.statistic / found.degrees_of_freedom);
   }
   return series;
 }

@@ -75,8 +75,7 @@ inline void write_view(SamplingOptions show, const RenderOptions& picture,
 inline void write_plot(const std::string& name, const SamplingOptions& show,
                        const RenderOptions& picture, const std::filesystem::path& out,
                        const std::atomic<bool>& cancel) {
-  if (out.extension() != ".svg")
-    throw InputError("--out: " + printable(out.string()) + " is no plot; end it in .svg");
+  require_plot_path(out);
   const auto measured = [&](const std::string& sampler) {
     const SampledRoom room(show.texels);
     SampledRoomOptions how = show.room;
@@ -87,7 +86,9 @@ inline void write_plot(const std::string& name, const SamplingOptions& show,
   const auto plot = [&] {
     if (name == "heights") return heights_plot(100'000, picture.seed);
     if (name == "chi-square") return chi_square_plot(picture.seed);
-    return noise_plot(measured("uniform"), measured("cosine"));
+    const auto uniform = measured("uniform");
+    const auto cosine = measured("cosine");
+    return cancel ? Plot{} : noise_plot(uniform, cosine);  // half a plot is none
   }();
   if (!cancel) write_file_whole(out, to_svg(plot));
 }

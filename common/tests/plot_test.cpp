@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/error.hpp"
 #include "common/plot/end_labels.hpp"
 #include "common/plot/text.hpp"
 #include "common/testkit/catch.hpp"
@@ -202,4 +203,32 @@ TEST_CASE("plot: labels of curves that meet are in the order in which the curves
                                               {"middle", {0, 1, 2}, {0.5, 0.5, 1}}}));
   CHECK(svg.find(">high<") < svg.find(">middle<"));
   CHECK(svg.find(">middle<") < svg.find(">low<"));
+}
+
+TEST_CASE("plot: dots and their line have the same x and one color, whatever was drawn before") {
+  lt::Plot plot = plot_of({{"first", {1, 2}, {1, 2}}});
+  lt::Series measured;
+  measured.add(2, 5);
+  measured.add(3, 7);
+  lt::add_dots_and_line(plot, measured, "law", [](double x) { return x * x; });
+  REQUIRE(plot.series.size() == 3);
+  const lt::Series& dots = plot.series[1];
+  const lt::Series& line = plot.series[2];
+  CHECK((dots.show_points && !dots.show_line && dots.label.empty()));
+  CHECK((line.show_line && !line.show_points && line.label == "law"));
+  CHECK(dots.y == std::vector<double>{5, 7});
+  CHECK(line.x == std::vector<double>{2, 3});
+  CHECK(line.y == std::vector<double>{4, 9});
+  CHECK(line.color_of == 1);
+  CHECK(dots.color_of < 0);  // its own
+}
+
+TEST_CASE("plot path: a name that does not end in .svg is refused with the remedy") {
+  CHECK_NOTHROW(lt::require_plot_path("out/plot.svg"));
+  for (const char* name : {"plot.png", "plot", "plot.SVG", "svg", ".svg"}) {
+    INFO(name);
+    CHECK_THROWS_AS(lt::require_plot_path(name), lt::InputError);
+  }
+  CHECK_THROWS_WITH(lt::require_plot_path("plot.png"),
+                    "--out: plot.png is no plot; end it in .svg");
 }

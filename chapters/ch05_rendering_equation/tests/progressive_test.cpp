@@ -81,13 +81,13 @@ TEST_CASE("noise: it falls with the root of the number of samples") {
   };
   const auto measured = measure_noise(Camera(), estimate, 64, 48, 256, {}, never);
   REQUIRE(measured.size() == 8);
-  CHECK(fit_noise(measured).slope == Approx(-0.5).margin(0.02));
+  CHECK(law_of(measured).slope == Approx(-0.5).margin(0.02));
 }
 
 TEST_CASE("noise: the fitted line is the one that was drawn") {
   std::vector<NoiseAt> drawn;
   for (double n = 2; n <= 512; n *= 2)
     drawn.push_back({n, 3 * std::pow(n, -0.37)});
-  CHECK(fit_noise(drawn).slope == Approx(-0.37));
-  CHECK(fit_noise(drawn).scale == Approx(3));
+  CHECK(law_of(drawn).slope == Approx(-0.37));
+  CHECK(law_of(drawn).factor == Approx(3));
 }

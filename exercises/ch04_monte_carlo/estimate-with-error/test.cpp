@@ -140,13 +140,17 @@ TEST_CASE("the integral of sin from 0 to pi is 2") {
     if (!agrees(2)) UNSCOPED_INFO(seen);
     REQUIRE(agrees(2));
 
-    // Ends in any order, and not at 0: the integral of x from 3 to 1 is -4.
-    const RunningMean backwards = estimate_uniform([](double x) { return x; }, 3, 1, n,
+    // Ends in any order, and not at 0: the integral of x^2 from 3 to 1 is (1 - 27) / 3. Not of x:
+    // its mean is right for points all over 0 to 4, too.
+    const RunningMean backwards = estimate_uniform([](double x) { return x * x; }, 3, 1, n,
                                                    [&random] { return random.uniform(); });
-    const double error_backwards = std::sqrt(4.0 / 3 / n);  // of -2 x: 4 * 2^2 / 12
-    const bool is_four = lt::z_test(backwards.mean(), error_backwards, -4).agrees(0.01);
-    if (!is_four) UNSCOPED_INFO(gave("the integral of x from 3 to 1", backwards.mean(), -4));
-    REQUIRE(is_four);
+    // Of -2 x^2: 4 (E[x^4] - E[x^2]^2), where E[x^4] is (3^5 - 1) / 10 and E[x^2] is 13 / 3.
+    const double error_backwards = std::sqrt(4 * (24.2 - 169.0 / 9) / n);
+    const bool is_right_backwards =
+        lt::z_test(backwards.mean(), error_backwards, -26.0 / 3).agrees(0.01);
+    if (!is_right_backwards)
+      UNSCOPED_INFO(gave("the integral of x^2 from 3 to 1", backwards.mean(), -26.0 / 3));
+    REQUIRE(is_right_backwards);
   }
 }
 

@@ -101,10 +101,12 @@ TEST_CASE("the result is never 1, never more, never negative") {
   // Below 1, floats are 2^-24 apart, and 2^32 - 2^7 is halfway from the last of them to 2^32: that
   // number and all above are rounded up, 0xffffff00 is not. 0x80000080 is halfway as well, between
   // 0.5 and the next float. A tie goes to the even one, 0.5, unless something has made the number
-  // larger first: a division by 2^32 - 1 in double has.
+  // larger first: a division by 2^32 - 1 in double has. So has a half added to all, but then 0
+  // does not stay 0.
   const int ones = ones_at_the_top();
   const bool divides_by_largest =
-      unit_float(0xffffff00u) == 1.0f || unit_float(0x80000080u) == 0.5f + 0x1p-24f;
+      unit_float(0) == 0.0f &&
+      (unit_float(0xffffff00u) == 1.0f || unit_float(0x80000080u) == 0.5f + 0x1p-24f);
   std::ostringstream seen;
   seen << hex(0xffffffffu) << " gave " << shown(unit_float(0xffffffffu))
        << " and should stay below it";

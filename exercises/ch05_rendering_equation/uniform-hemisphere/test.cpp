@@ -19,11 +19,17 @@ using glm::dvec3;
 const double pi = std::acos(-1.0);
 const double almost_one = 1.0 - 0x1p-53;
 
+// In six digits; the largest u by its name.
+std::string text_of(double x) {
+  std::ostringstream text;
+  text << (std::isnan(x) ? std::abs(x) : x);  // "-nan" says no more than "nan"
+  return x == almost_one ? "1 - 2^-53" : text.str();
+}
+
 std::string gave(dvec2 u) {
   const dvec3 w = uniform_hemisphere(u);
-  std::ostringstream text;
-  text << "u = (" << u.x << ", " << u.y << ") gave (" << w.x << ", " << w.y << ", " << w.z << ')';
-  return text.str();
+  return "u = (" + text_of(u.x) + ", " + text_of(u.y) + ") gave (" + text_of(w.x) + ", " +
+         text_of(w.y) + ", " + text_of(w.z) + ')';
 }
 
 // Every u of an even grid, and then of the rim.
