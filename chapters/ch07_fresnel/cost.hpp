@@ -1,0 +1,107 @@
+/// @file
+/// What Fresnel's equations and the choice between kinds cost, measured.
+#pragma once
+
+#include <cstdio>
+#include <ctime>
+#include <string>
+#include <vector>
+
+#include "ch04_monte_carlo/pcg32.hpp"
+#include "ch04_monte_carlo/streams.hpp"
+#include "ch05_rendering_equation/lit_room.hpp"
+#include "ch07_fresnel/schlick.hpp"
+#include "ch07_fresnel/smooth.hpp"
+
+namespace lt {
+
+// [nanoseconds]
+/// Processor time of one call of f(i), i = 0 to 4095 again and again; the least of five
+/// measurements.
+/// @param f       gives a float, so that no compiler leaves the call out
+/// @param rounds  how many times 4096 calls
+/// @return nanoseconds
+template <class F>
+[[nodiscard]] double nanoseconds(const F& f, int rounds) {
+  double least = infinity;
+  for (int measurement = 0; measurement < 5; ++measurement) {
+    volatile float keep = 0.0f;
+    float sum = 0.0f;
+    const std::clock_t start = std::clock();
+    for (int round = 0; round < rounds; ++round)
+      for (std::size_t i = 0; i < 4096; ++i)
+        sum += f(i);
+    const double taken = 1e9 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    keep = sum;
+    (void)keep;
+    least = std::min(least, taken / (4096.0 * rounds));
+  }
+  return least;
+}
+// [nanoseconds]
+
+/// All of a sample, added up, so that no part of it is left out.
+template <Bsdf AnyBsdf>
+[[nodiscard]] float sampled(const AnyBsdf& bsdf, vec3 wo, vec3 u) {
+  const auto sample = bsdf.sample(wo, u);
+  return sample ? dot(sample->wi + sample->weight, vec3(1.0f)) : 0.0f;
+}
+
+// [path-cost]
+/// Nanoseconds of a path through chapter 5's matt room, depth 8, on one thread.
+template <Scattering Model>
+[[nodiscard]] double path_nanoseconds(const TexturedScene& scene, const Model& bsdf_at,
+                                      int rounds) {
+  const auto path = [&](std::size_t i) {
+    Pcg32 random = stream_for(1, static_cast<int>(i), 0, 0);
+    const vec2 film = random.next_vec2() * 64.0f;
+    return radiance_recursive(scene, bsdf_at, camera_ray(room_camera_far(), film, 64, 64), 8,
+                              random)
+        .g;
+  };
+  return nanoseconds(path, rounds);
+}
+// [path-cost]
+
+// [cost-table]
+/// Nanoseconds of each step, as text.
+/// @param rounds  of each measurement, a tenth of it for paths; 500 take three seconds in all
+[[nodiscard]] inline std::string cost_table(int rounds) {
+  Pcg32 random(1);
+  std::vector<vec3> wo, u;
+  for (std::size_t i = 0; i < 4096; ++i) {
+    wo.push_back(uniform_hemisphere(random.next_vec2()));
+    u.push_back(random.next_vec3());
+  }
+  std::string text;
+  const auto row = [&](const char* name, double time) {
+    char line[80];
+    std::snprintf(line, sizeof line, "%-36s %7.1f ns\n", name, time);
+    text += line;
+  };
+  const auto time = [&](const auto& f) { return nanoseconds(f, rounds); };
+  const CosineLambert matt{Rgb(0.5f)};
+  const Mirror mirror{gold};
+  const Glass glass{1.0f, 1.5f};
+  row("Schlick", time([&](std::size_t i) { return schlick(wo[i].z, 0.04f); }));
+  row("dielectric", time([&](std::size_t i) { return fresnel_dielectric(wo[i].z, 1.0f, 1.5f); }));
+  row("conductor, one channel",
+      time([&](std::size_t i) { return fresnel_conductor(wo[i].z, 1.0f, 0.277f, 2.92f); }));
+  row("sample matt", time([&](std::size_t i) { return sampled(matt, wo[i], u[i]); }));
+  row("sample mirror", time([&](std::size_t i) { return sampled(mirror, wo[i], u[i]); }));
+  row("sample glass", time([&](std::size_t i) { return sampled(glass, wo[i], u[i]); }));
+  TexturedScene room = matt_room(64);
+  for (Look& look : room.looks)
+    look.material.type = MaterialType::dielectric;  // no mirror: the same paths both times
+  const int paths = std::max(1, rounds / 10);
+  row("path in the matt room, known matt",
+      path_nanoseconds(
+          room, [](const Surface& s) { return cosine_lambert_at(s); }, paths));
+  row("path in the matt room, one of three",
+      path_nanoseconds(
+          room, [](const Surface& s) { return smooth_bsdf_at(s); }, paths));
+  return text;
+}
+// [cost-table]
+
+}  // namespace lt
