@@ -1,0 +1,267 @@
+#include "api.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/testkit/exercise.hpp"
+
+namespace {
+
+using exercise::fresnel_dielectric;
+using exercise::Reflectance;
+using exercise::reflectance_dielectric;
+
+const double pi = std::acos(-1.0);
+
+double squared(double x) {
+  return x * x;
+}
+double cos_of_degrees(double degrees) {
+  return std::cos(degrees * pi / 180);
+}
+
+struct Place {
+  double c, n_here, n_beyond;
+};
+
+// Fresnel's equations in complex arithmetic: beyond the critical angle the cosine is imaginary, and
+// total reflection comes out by itself.
+Reflectance exact(Place at) {
+  const double m = at.n_beyond / at.n_here;
+  const std::complex<double> t = std::sqrt(std::complex<double>(1 - (1 - squared(at.c)) / (m * m)));
+  return {std::norm((at.c - m * t) / (at.c + m * t)), std::norm((m * at.c - t) / (m * at.c + t))};
+}
+
+bool is_near(double a, double b) {
+  return std::abs(a - b) < 1e-6;  // float arithmetic passes, NaN does not
+}
+bool is_near(Reflectance a, Reflectance b) {
+  return is_near(a.s, b.s) && is_near(a.p, b.p);
+}
+
+Reflectance given(Place at) {
+  return reflectance_dielectric(at.c, at.n_here, at.n_beyond);
+}
+
+std::string text_of(double x) {
+  std::ostringstream text;
+  text << (std::isnan(x) ? std::abs(x) : std::abs(x) < 1e-12 ? 0 : x);  // no "-nan", no 2e-33
+  return text.str();
+}
+std::string text_of(Reflectance x) {
+  return "s = " + text_of(x.s) + ", p = " + text_of(x.p);
+}
+
+std::string call_of(Place at) {
+  return "at " + text_of(std::acos(std::min(1.0, at.c)) * 180 / pi) + " degrees (cosine " +
+         text_of(at.c) + "), from index " + text_of(at.n_here) + " to " + text_of(at.n_beyond);
+}
+
+std::string gave(Place at) {
+  return "The shares " + call_of(at) + ", gave " + text_of(given(at)) + " and should give " +
+         text_of(exact(at)) + ".";
+}
+
+bool is_right(Place at) {
+  const bool is_so = is_near(given(at), exact(at));
+  if (!is_so) UNSCOPED_INFO(gave(at));
+  return is_so;
+}
+
+// Into glass, out of water into glass, and out of glass: no total reflection among them.
+const std::vector<Place> places{{0.8, 1, 1.5},  {0.96, 1, 1.5},   {0.6, 1, 1.5},    {0.28, 1, 1.5},
+                                {0.9, 1, 1.33}, {0.8, 1.33, 1.5}, {0.3, 1.33, 1.5}, {0.8, 1.5, 1},
+                                {0.96, 1.5, 1}, {0.8, 1.5, 1.33}};
+
+bool is_right_everywhere() {
+  return std::all_of(places.begin(), places.end(),
+                     [](Place at) { return is_near(given(at), exact(at)); });
+}
+
+// The two shares if t is taken for the cosine beyond.
+Reflectance shares(double c, double t, double n1, double n2) {
+  return {squared((n1 * c - n2 * t) / (n1 * c + n2 * t)),
+          squared((n2 * c - n1 * t) / (n2 * c + n1 * t))};
+}
+double snell(double c, double eta) {
+  return std::sqrt(1 - eta * eta * (1 - c * c));
+}
+Reflectance right(double c, double n1, double n2) {
+  return shares(c, snell(c, n1 / n2), n1, n2);
+}
+
+using WrongCosine = double (*)(double c, double eta);
+const std::vector<std::pair<const char*, WrongCosine>> wrong_cosines{
+    {"eta-inverted", [](double c, double eta) { return snell(c, 1 / eta); }},
+    {"eta-not-squared", [](double c, double eta) { return snell(c, std::sqrt(eta)); }},
+    {"cosine-not-squared", [](double c, double eta) { return snell(std::sqrt(c), eta); }},
+    {"snell-of-cosines", [](double c, double eta) { return eta * c; }},
+    {"no-bending", [](double c, double) { return c; }},
+    {"root-forgotten", [](double c, double eta) { return squared(snell(c, eta)); }},
+};
+
+using WrongShares = Reflectance (*)(double c, double n1, double n2);
+const std::vector<std::pair<const char*, WrongShares>> wrong_shares{
+    {"sides-exchanged", [](double c, double n1, double n2) { return right(c, n2, n1); }},
+    {"s-and-p-exchanged",
+     [](double c, double n1, double n2) {
+       const auto [s, p] = right(c, n1, n2);
+       return Reflectance{p, s};
+     }},
+    {"s-twice",
+     [](double c, double n1, double n2) {
+       const double s = right(c, n1, n2).s;
+       return Reflectance{s, s};
+     }},
+    {"p-over-sum-of-s",
+     [](double c, double n1, double n2) {
+       const double t = snell(c, n1 / n2);
+       return Reflectance{right(c, n1, n2).s, squared((n2 * c - n1 * t) / (n1 * c + n2 * t))};
+     }},
+};
+
+// Where a formula has no value, an answer that asks for total reflection says 1, others say NaN.
+bool agrees(double value, double wrong) {
+  if (std::isnan(wrong)) return std::isnan(value) || value == 1;
+  return is_near(value, wrong);
+}
+
+template <class Formula>
+bool made_by(const Formula& formula) {
+  return std::all_of(places.begin(), places.end(), [&](Place at) {
+    const Reflectance wrong = formula(at.c, at.n_here, at.n_beyond);
+    return agrees(given(at).s, wrong.s) && agrees(given(at).p, wrong.p);
+  });
+}
+
+// r instead of r^2; the sign of r is a convention.
+bool is_amplitude() {
+  return std::all_of(places.begin(), places.end(), [](Place at) {
+    return is_near({squared(given(at).s), squared(given(at).p)}, exact(at));
+  });
+}
+
+}  // namespace
+
+TEST_CASE("both shares where there is an angle beyond") {
+  if (!is_right_everywhere()) {
+    const std::string seen = gave(places[0]);
+    for (const auto& mistake : wrong_cosines) {
+      const auto formula = [&](double c, double n1, double n2) {
+        return shares(c, mistake.second(c, n1 / n2), n1, n2);
+      };
+      lt::diagnose(!made_by(formula), mistake.first, seen);
+    }
+    for (const auto& [tag, formula] : wrong_shares)
+      lt::diagnose(!made_by(formula), tag, seen);
+    lt::diagnose(!is_amplitude(), "not-squared", seen);
+  }
+  for (const Place at : places)
+    REQUIRE(is_right(at));
+  // Straight on: ((n - 1) / (n + 1))^2 = 0.04 for glass, from both sides.
+  for (const Place at : {Place{1, 1, 1.5}, Place{1, 1.5, 1}}) {
+    INFO(gave(at));
+    REQUIRE(is_near(given(at), {0.04, 0.04}));
+  }
+  // Brewster: at tan = 1.5 the two rays stand square to each other, and p is gone.
+  const Place brewster{1 / std::sqrt(1 + squared(1.5)), 1, 1.5};
+  INFO(gave(brewster));
+  REQUIRE(is_near(given(brewster).p, 0));
+}
+
+TEST_CASE("beyond the critical angle all light is reflected") {
+  for (const Place at : {Place{0.6, 1.5, 1}, Place{0.3, 1.5, 1.33}, Place{0.2, 1.33, 1}}) {
+    const Reflectance value = given(at);
+    const std::string seen = gave(at);
+    const bool is_nan = std::isnan(value.s) && std::isnan(value.p);
+    const double imaginary = std::sqrt(squared(at.n_here / at.n_beyond) * (1 - at.c * at.c) - 1);
+    if (is_right_everywhere()) {
+      lt::diagnose(!is_nan, "no-total-reflection", seen);
+      lt::diagnose(!is_near(value, {0, 0}), "nothing-reflected", seen);
+      lt::diagnose(!is_near(value, shares(at.c, imaginary, at.n_here, at.n_beyond)),
+                   "root-of-absolute", seen);
+    }
+    REQUIRE(is_right(at));
+  }
+  // sin = 1 / 1.5, 41.810 degrees: a tenth of a degree before it and after.
+  REQUIRE(is_right({cos_of_degrees(41.71), 1.5, 1}));
+  REQUIRE(is_right({cos_of_degrees(41.91), 1.5, 1}));
+}
+
+TEST_CASE("the rim: no surface, the horizon, a cosine that rounding left above 1") {
+  for (const double c : {1.0, 0.5, 0.0}) {
+    const Place none{c, 1.5, 1.5};
+    const std::string seen = "Equal indices, " + call_of(none) + ", gave " + text_of(given(none)) +
+                             " and should give s = 0, p = 0.";
+    lt::diagnose(!std::isnan(given(none).s) || !is_right_everywhere(), "equal-indices-nan", seen);
+    INFO(seen);
+    REQUIRE(is_near(given(none), {0, 0}));
+  }
+  for (const Place at : {Place{0, 1, 1.5}, Place{0, 1.5, 1}})
+    REQUIRE(is_right(at));
+  const Place above{1 + 1e-9, 1, 1.5};
+  std::ostringstream seen;
+  seen << "A cosine of 1 + 1e-9, from index 1 to 1.5, gave " << text_of(given(above))
+       << " and should give s = 0.04, p = 0.04.";
+  lt::diagnose(!std::isnan(given(above).s) || !is_right_everywhere(), "cosine-above-one",
+               seen.str());
+  INFO(seen.str());
+  REQUIRE(is_near(given(above), {0.04, 0.04}));
+}
+
+TEST_CASE("light of every swing: one share") {
+  const auto fresnel = [](Place at) { return fresnel_dielectric(at.c, at.n_here, at.n_beyond); };
+  const auto mean = [](Place at) { return (exact(at).s + exact(at).p) / 2; };
+  const auto mean_gave = [&](Place at) {
+    return "fresnel_dielectric() " + call_of(at) + ", gave " + text_of(fresnel(at)) +
+           " and should give " + text_of(mean(at)) + " (" + text_of(exact(at)) + ").";
+  };
+  const auto diagnose = [&](const char* tag, auto formula) {
+    const bool is_it = std::all_of(places.begin(), places.end(),
+                                   [&](Place at) { return is_near(fresnel(at), formula(at)); });
+    lt::diagnose(!is_it, tag, mean_gave(places[0]));
+  };
+  if (is_right_everywhere()) {
+    diagnose("s-only", [](Place at) { return exact(at).s; });
+    diagnose("p-only", [](Place at) { return exact(at).p; });
+    diagnose("sum-not-mean", [&](Place at) { return 2 * mean(at); });
+    for (const double sign : {1.0, -1.0})  // conventions differ in the sign of one of the two
+      diagnose("mean-before-square", [&](Place at) {
+        const auto [c, n1, n2] = at;
+        const double t = snell(c, n1 / n2);
+        return squared((n1 * c - n2 * t) / (n1 * c + n2 * t) / 2 +
+                       sign * (n2 * c - n1 * t) / (n2 * c + n1 * t) / 2);
+      });
+    diagnose("schlick", [](Place at) {
+      const double straight_on = squared((at.n_here - at.n_beyond) / (at.n_here + at.n_beyond));
+      return straight_on + (1 - straight_on) * std::pow(1 - at.c, 5);
+    });
+  }
+  for (const Place at : places) {
+    INFO(mean_gave(at));
+    REQUIRE(is_near(fresnel(at), mean(at)));
+  }
+}
+
+TEST_CASE("any two media: as complex arithmetic has it, and alike from both ends of a ray") {
+  for (const auto seed : lt::seeds()) {
+    lt::TestRandom random(seed);
+    for (int i = 0; i < 200; ++i) {
+      const Place at{random.uniform(), random.uniform(1, 2.5), random.uniform(1, 2.5)};
+      REQUIRE(is_right(at));
+      const double beyond = snell(at.c, at.n_here / at.n_beyond);
+      const Place back{beyond, at.n_beyond, at.n_here};
+      if (beyond > 1e-3) REQUIRE(is_near(given(back), given(at)));
+    }
+  }
+  std::ostringstream text;
+  text << "glass of index 1.5 reflects " << fresnel_dielectric(1, 1, 1.5) << " straight on, "
+       << fresnel_dielectric(cos_of_degrees(60), 1, 1.5) << " at 60 degrees and "
+       << fresnel_dielectric(cos_of_degrees(85), 1, 1.5) << " at 85";
+  lt::measured(text.str());
+}
