@@ -78,21 +78,35 @@ const std::vector<Place> places{{0.8, 1, 1.5},  {0.96, 1, 1.5},   {0.6, 1, 1.5},
                                 {0.9, 1, 1.33}, {0.8, 1.33, 1.5}, {0.3, 1.33, 1.5}, {0.8, 1.5, 1},
                                 {0.96, 1.5, 1}, {0.8, 1.5, 1.33}};
 
+template <class Question>
+bool everywhere(const Question& question) {
+  return std::all_of(places.begin(), places.end(), question);
+}
 bool is_right_everywhere() {
-  return std::all_of(places.begin(), places.end(),
-                     [](Place at) { return is_near(given(at), exact(at)); });
+  return everywhere([](Place at) { return is_near(given(at), exact(at)); });
 }
 
-// The two shares if t is taken for the cosine beyond.
-Reflectance shares(double c, double t, double n1, double n2) {
-  return {squared((n1 * c - n2 * t) / (n1 * c + n2 * t)),
-          squared((n2 * c - n1 * t) / (n2 * c + n1 * t))};
+// Fresnel's fractions if t is taken for the cosine beyond.
+double r_s(Place at, double t) {
+  return (at.n_here * at.c - at.n_beyond * t) / (at.n_here * at.c + at.n_beyond * t);
+}
+double r_p(Place at, double t) {
+  return (at.n_beyond * at.c - at.n_here * t) / (at.n_beyond * at.c + at.n_here * t);
+}
+Reflectance shares(Place at, double t) {
+  return {squared(r_s(at, t)), squared(r_p(at, t))};
 }
 double snell(double c, double eta) {
   return std::sqrt(1 - eta * eta * (1 - c * c));
 }
-Reflectance right(double c, double n1, double n2) {
-  return shares(c, snell(c, n1 / n2), n1, n2);
+double eta_of(Place at) {
+  return at.n_here / at.n_beyond;
+}
+double snell(Place at) {
+  return snell(at.c, eta_of(at));
+}
+Place back(Place at) {
+  return {at.c, at.n_beyond, at.n_here};
 }
 
 using WrongCosine = double (*)(double c, double eta);
@@ -105,26 +119,6 @@ const std::vector<std::pair<const char*, WrongCosine>> wrong_cosines{
     {"root-forgotten", [](double c, double eta) { return squared(snell(c, eta)); }},
 };
 
-using WrongShares = Reflectance (*)(double c, double n1, double n2);
-const std::vector<std::pair<const char*, WrongShares>> wrong_shares{
-    {"sides-exchanged", [](double c, double n1, double n2) { return right(c, n2, n1); }},
-    {"s-and-p-exchanged",
-     [](double c, double n1, double n2) {
-       const auto [s, p] = right(c, n1, n2);
-       return Reflectance{p, s};
-     }},
-    {"s-twice",
-     [](double c, double n1, double n2) {
-       const double s = right(c, n1, n2).s;
-       return Reflectance{s, s};
-     }},
-    {"p-over-sum-of-s",
-     [](double c, double n1, double n2) {
-       const double t = snell(c, n1 / n2);
-       return Reflectance{right(c, n1, n2).s, squared((n2 * c - n1 * t) / (n1 * c + n2 * t))};
-     }},
-};
-
 // Where a formula has no value, an answer that asks for total reflection says 1, others say NaN.
 bool agrees(double value, double wrong) {
   if (std::isnan(wrong)) return std::isnan(value) || value == 1;
@@ -133,16 +127,9 @@ bool agrees(double value, double wrong) {
 
 template <class Formula>
 bool made_by(const Formula& formula) {
-  return std::all_of(places.begin(), places.end(), [&](Place at) {
-    const Reflectance wrong = formula(at.c, at.n_here, at.n_beyond);
+  return everywhere([&](Place at) {
+    const Reflectance wrong = formula(at);
     return agrees(given(at).s, wrong.s) && agrees(given(at).p, wrong.p);
-  });
-}
-
-// r instead of r^2; the sign of r is a convention.
-bool is_amplitude() {
-  return std::all_of(places.begin(), places.end(), [](Place at) {
-    return is_near({squared(given(at).s), squared(given(at).p)}, exact(at));
   });
 }
 
@@ -151,27 +138,28 @@ bool is_amplitude() {
 TEST_CASE("both shares where there is an angle beyond") {
   if (!is_right_everywhere()) {
     const std::string seen = gave(places[0]);
-    for (const auto& mistake : wrong_cosines) {
-      const auto formula = [&](double c, double n1, double n2) {
-        return shares(c, mistake.second(c, n1 / n2), n1, n2);
-      };
-      lt::diagnose(!made_by(formula), mistake.first, seen);
-    }
-    for (const auto& [tag, formula] : wrong_shares)
-      lt::diagnose(!made_by(formula), tag, seen);
-    lt::diagnose(!is_amplitude(), "not-squared", seen);
+    for (const auto& [tag, cosine] : wrong_cosines)
+      lt::diagnose(!made_by([f = cosine](Place at) { return shares(at, f(at.c, eta_of(at))); }),
+                   tag, seen);
+    const auto turned = [](Place at) { return shares(back(at), snell(back(at))); };
+    const auto exchanged = [](Place at) { return Reflectance{exact(at).p, exact(at).s}; };
+    const auto copied = [](Place at) { return Reflectance{exact(at).s, exact(at).s}; };
+    const auto is_root = [](Place at) {  // the sign of r is a convention
+      return is_near({squared(given(at).s), squared(given(at).p)}, exact(at));
+    };
+    lt::diagnose(!made_by(turned), "sides-exchanged", seen);
+    lt::diagnose(!made_by(exchanged), "s-and-p-exchanged", seen);
+    lt::diagnose(!made_by(copied), "s-twice", seen);
+    lt::diagnose(!everywhere(is_root), "not-squared", seen);
   }
   for (const Place at : places)
     REQUIRE(is_right(at));
   // Straight on: ((n - 1) / (n + 1))^2 = 0.04 for glass, from both sides.
-  for (const Place at : {Place{1, 1, 1.5}, Place{1, 1.5, 1}}) {
-    INFO(gave(at));
-    REQUIRE(is_near(given(at), {0.04, 0.04}));
-  }
+  for (const Place at : {Place{1, 1, 1.5}, Place{1, 1.5, 1}})
+    REQUIRE((is_right(at) && is_near(given(at), {0.04, 0.04})));
   // Brewster: at tan = 1.5 the two rays stand square to each other, and p is gone.
   const Place brewster{1 / std::sqrt(1 + squared(1.5)), 1, 1.5};
-  INFO(gave(brewster));
-  REQUIRE(is_near(given(brewster).p, 0));
+  REQUIRE((is_right(brewster) && is_near(given(brewster).p, 0)));
 }
 
 TEST_CASE("beyond the critical angle all light is reflected") {
@@ -179,12 +167,11 @@ TEST_CASE("beyond the critical angle all light is reflected") {
     const Reflectance value = given(at);
     const std::string seen = gave(at);
     const bool is_nan = std::isnan(value.s) && std::isnan(value.p);
-    const double imaginary = std::sqrt(squared(at.n_here / at.n_beyond) * (1 - at.c * at.c) - 1);
+    const double imaginary = std::sqrt(squared(eta_of(at)) * (1 - at.c * at.c) - 1);
     if (is_right_everywhere()) {
       lt::diagnose(!is_nan, "no-total-reflection", seen);
       lt::diagnose(!is_near(value, {0, 0}), "nothing-reflected", seen);
-      lt::diagnose(!is_near(value, shares(at.c, imaginary, at.n_here, at.n_beyond)),
-                   "root-of-absolute", seen);
+      lt::diagnose(!is_near(value, shares(at, imaginary)), "root-of-absolute", seen);
     }
     REQUIRE(is_right(at));
   }
@@ -222,8 +209,7 @@ TEST_CASE("light of every swing: one share") {
            " and should give " + text_of(mean(at)) + " (" + text_of(exact(at)) + ").";
   };
   const auto diagnose = [&](const char* tag, auto formula) {
-    const bool is_it = std::all_of(places.begin(), places.end(),
-                                   [&](Place at) { return is_near(fresnel(at), formula(at)); });
+    const bool is_it = everywhere([&](Place at) { return is_near(fresnel(at), formula(at)); });
     lt::diagnose(!is_it, tag, mean_gave(places[0]));
   };
   if (is_right_everywhere()) {
@@ -232,13 +218,10 @@ TEST_CASE("light of every swing: one share") {
     diagnose("sum-not-mean", [&](Place at) { return 2 * mean(at); });
     for (const double sign : {1.0, -1.0})  // conventions differ in the sign of one of the two
       diagnose("mean-before-square", [&](Place at) {
-        const auto [c, n1, n2] = at;
-        const double t = snell(c, n1 / n2);
-        return squared((n1 * c - n2 * t) / (n1 * c + n2 * t) / 2 +
-                       sign * (n2 * c - n1 * t) / (n2 * c + n1 * t) / 2);
+        return squared((r_s(at, snell(at)) + sign * r_p(at, snell(at))) / 2);
       });
     diagnose("schlick", [](Place at) {
-      const double straight_on = squared((at.n_here - at.n_beyond) / (at.n_here + at.n_beyond));
+      const double straight_on = exact({1, at.n_here, at.n_beyond}).s;
       return straight_on + (1 - straight_on) * std::pow(1 - at.c, 5);
     });
   }
@@ -254,9 +237,8 @@ TEST_CASE("any two media: as complex arithmetic has it, and alike from both ends
     for (int i = 0; i < 200; ++i) {
       const Place at{random.uniform(), random.uniform(1, 2.5), random.uniform(1, 2.5)};
       REQUIRE(is_right(at));
-      const double beyond = snell(at.c, at.n_here / at.n_beyond);
-      const Place back{beyond, at.n_beyond, at.n_here};
-      if (beyond > 1e-3) REQUIRE(is_near(given(back), given(at)));
+      const Place end{snell(at), at.n_beyond, at.n_here};
+      if (end.c > 1e-3) REQUIRE(is_near(given(end), given(at)));
     }
   }
   std::ostringstream text;
