@@ -16,6 +16,7 @@ namespace {
 using exercise::fresnel_conductor;
 using exercise::Rgb;
 using Complex = std::complex<double>;
+using namespace std::complex_literals;
 
 double squared(double x) {
   return x * x;
@@ -157,9 +158,11 @@ const std::vector<std::pair<const char*, Wrong>> mistakes{
 bool made_by(Wrong mistake) {
   return std::all_of(places.begin(), places.end(), [&](Place at) {
     const double sin2 = 1 - squared(at.c);
-    const double wrong = mistake(at, {amplitudes(at, sin2), sin2, squared(quotient(at)) - sin2});
+    const double wrong =
+        mistake(at, {amplitudes(at, sin2), sin2, quotient(at) * quotient(at) - sin2});
     // Where a real root would be negative, complex arithmetic says 1 and real arithmetic NaN.
-    return is_near(given(at), wrong) || (is_near(wrong, 1) && std::isnan(given(at)));
+    const bool may_be_nan = is_near(wrong, 1) && at.c < 1;
+    return is_near(given(at), wrong) || (may_be_nan && std::isnan(given(at)));
   });
 }
 
@@ -195,39 +198,36 @@ TEST_CASE("without k it is glass, total reflection included") {
   for (const double c : {1.0, 0.5, 0.0}) {
     const Place none{c, 1.5, 1.5, 0};
     if (is_right_everywhere())
-      lt::diagnose(!std::isnan(given(none)), "equal-indices-nan", gave(none, 0));
+      lt::diagnose(!std::isnan(given(none)) && !is_near(given(none), 1), "equal-indices",
+                   gave(none, 0));
     REQUIRE(is_right(none, 0));
   }
 }
 
 TEST_CASE("a cosine that rounding left above 1") {
   const Place above{1 + 1e-9, 1, 0.271, 3.609};
-  const std::string seen = "1 + 1e-9 for a cosine. " + gave(above, exact(places[0]));
-  if (is_right_everywhere()) lt::diagnose(!std::isnan(given(above)), "cosine-above-one", seen);
-  INFO(seen);
-  REQUIRE(is_near(given(above), exact(places[0])));
+  INFO("The cosine is 1 + 1e-9.");
+  if (is_right_everywhere())
+    lt::diagnose(!std::isnan(given(above)), "cosine-above-one", gave(above, exact(places[0])));
+  REQUIRE(is_right(above, exact(places[0])));
 }
 
 TEST_CASE("a metal in colour: each channel has its own eta and its own k") {
   const Rgb eta(0.3, 1.02, 1.25);
   const Rgb k(3.205, 2.577, 2.483);
-  const std::array<const char*, 3> names{"red", "green", "blue"};
-  for (const double n_here : {1.0, 1.33}) {
-    const Rgb value = fresnel_conductor(0.7, n_here, eta, k);
-    for (int c = 0; c < 3; ++c) {
-      const double expected = exact({0.7, n_here, eta[c], k[c]});
-      std::ostringstream seen;
-      seen << "The " << names[c] << " channel gave " << text_of(value[c]) << " and should give "
-           << expected << " (cosine 0.7, n_here " << n_here << ", eta " << eta[c] << ", k " << k[c]
-           << ").";
-      for (int i = 0; i < 9 && is_right_everywhere() && !is_near(value[c], expected); ++i)
-        lt::diagnose(!is_near(value[c], exact({0.7, n_here, eta[i / 3], k[i % 3]})),
-                     "channels-mixed",
-                     seen.str() + " It is right for " + names[i / 3] + "'s eta with " +
-                         names[i % 3] + "'s k.");
-      INFO(seen.str());
-      REQUIRE(is_near(value[c], expected));
-    }
+  const std::array<std::string, 3> names{"red", "green", "blue"};
+  const Rgb value = fresnel_conductor(0.7, 1.33, eta, k);
+  for (int c = 0; c < 3; ++c) {
+    const double expected = exact({0.7, 1.33, eta[c], k[c]});
+    const std::string seen = "At the cosine 0.7, from index 1.33 to eta " + text_of(eta[c]) +
+                             " and k " + text_of(k[c]) + ", the " + names[c] + " channel gave " +
+                             text_of(value[c]) + " and should give " + text_of(expected) + ".";
+    const bool is_wrong = is_right_everywhere() && !is_near(value[c], expected);
+    for (int i = 0; i < 9 && is_wrong; ++i)
+      lt::diagnose(!is_near(value[c], exact({0.7, 1.33, eta[i / 3], k[i % 3]})), "channels-mixed",
+                   seen + " That is eta of " + names[i / 3] + " with k of " + names[i % 3] + ".");
+    INFO(seen);
+    REQUIRE(is_near(value[c], expected));
   }
 }
 

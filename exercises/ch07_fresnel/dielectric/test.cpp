@@ -185,19 +185,18 @@ TEST_CASE("the rim: no surface, the horizon, a cosine that rounding left above 1
     const Place none{c, 1.5, 1.5};
     const std::string seen = "Equal indices, " + call_of(none) + ", gave " + text_of(given(none)) +
                              " and should give s = 0, p = 0.";
-    lt::diagnose(!std::isnan(given(none).s) || !is_right_everywhere(), "equal-indices-nan", seen);
+    const bool is_known = std::isnan(given(none).s) || is_near(given(none), {1, 1});
+    lt::diagnose(!is_known || !is_right_everywhere(), "equal-indices", seen);
     INFO(seen);
     REQUIRE(is_near(given(none), {0, 0}));
   }
   for (const Place at : {Place{0, 1, 1.5}, Place{0, 1.5, 1}})
     REQUIRE(is_right(at));
   const Place above{1 + 1e-9, 1, 1.5};
-  std::ostringstream seen;
-  seen << "A cosine of 1 + 1e-9, from index 1 to 1.5, gave " << text_of(given(above))
-       << " and should give s = 0.04, p = 0.04.";
-  lt::diagnose(!std::isnan(given(above).s) || !is_right_everywhere(), "cosine-above-one",
-               seen.str());
-  INFO(seen.str());
+  const std::string seen = "A cosine of 1 + 1e-9, from index 1 to 1.5, gave " +
+                           text_of(given(above)) + " and should give s = 0.04, p = 0.04.";
+  lt::diagnose(!std::isnan(given(above).s) || !is_right_everywhere(), "cosine-above-one", seen);
+  INFO(seen);
   REQUIRE(is_near(given(above), {0.04, 0.04}));
 }
 
@@ -216,10 +215,12 @@ TEST_CASE("light of every swing: one share") {
     diagnose("s-only", [](Place at) { return exact(at).s; });
     diagnose("p-only", [](Place at) { return exact(at).p; });
     diagnose("sum-not-mean", [&](Place at) { return 2 * mean(at); });
-    for (const double sign : {1.0, -1.0})  // conventions differ in the sign of one of the two
-      diagnose("mean-before-square", [&](Place at) {
-        return squared((r_s(at, snell(at)) + sign * r_p(at, snell(at))) / 2);
-      });
+    const auto is_mean_squared = [&](Place at) {  // conventions differ in the sign of r_p
+      const double f = fresnel(at);
+      return is_near(f, squared((r_s(at, snell(at)) + r_p(at, snell(at))) / 2)) ||
+             is_near(f, squared((r_s(at, snell(at)) - r_p(at, snell(at))) / 2));
+    };
+    lt::diagnose(!everywhere(is_mean_squared), "mean-before-square", mean_gave(places[0]));
     diagnose("schlick", [](Place at) {
       const double straight_on = exact({1, at.n_here, at.n_beyond}).s;
       return straight_on + (1 - straight_on) * std::pow(1 - at.c, 5);
