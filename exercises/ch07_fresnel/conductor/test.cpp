@@ -23,7 +23,7 @@ double squared(double x) {
 }
 
 bool is_near(double a, double b) {
-  return std::abs(a - b) < 1e-6;  // float arithmetic passes, NaN does not
+  return std::abs(a - b) < 1e-6;  // double arithmetic is much closer; NaN never is
 }
 
 struct Place {
@@ -91,9 +91,9 @@ std::string text_of(double x) {
   return text.str();
 }
 std::string gave(Place at, double expected) {
-  return "At the cosine " + text_of(at.c) + ", from index " + text_of(at.n_here) + " to eta " +
-         text_of(at.eta) + " and k " + text_of(at.k) + ", the share gave " + text_of(given(at)) +
-         " and should give " + text_of(expected) + ".";
+  return "At the cosine " + (at.c > 1 ? "1 + 1e-9" : text_of(at.c)) + ", from index " +
+         text_of(at.n_here) + " to eta " + text_of(at.eta) + " and k " + text_of(at.k) +
+         ", the share gave " + text_of(given(at)) + " and should give " + text_of(expected) + ".";
 }
 bool is_right(Place at, double expected) {
   const bool is_so = is_near(given(at), expected);
@@ -126,6 +126,11 @@ const std::vector<std::pair<const char*, Wrong>> mistakes{
      [](Place at, Parts) {
        return exact({at.c, at.n_here, at.eta, at.k * at.n_here});
      }},
+    {"angle-ignored",
+     [](Place at, Parts) {
+       return exact({1, at.n_here, at.eta, at.k});
+     }},
+    {"cosine-taken-for-one", [](Place at, Parts) { return mean_of_norms(amplitudes(at, 0)); }},
     {"k-added",
      [](Place at, Parts x) {
        return from_root(at, x.sin2, std::sqrt(x.square + 2 * squared(quotient(at).imag())));
@@ -139,7 +144,6 @@ const std::vector<std::pair<const char*, Wrong>> mistakes{
        return mean_of_norms({x.r.s, x.r.p / x.r.s});
      }},
     {"s-only", [](Place, Parts x) { return std::norm(x.r.s); }},
-    {"p-only", [](Place, Parts x) { return std::norm(x.r.p); }},
     {"sum-not-mean", [](Place, Parts x) { return 2 * mean_of_norms(x.r); }},
     {"not-squared", [](Place, Parts x) { return (std::abs(x.r.s) + std::abs(x.r.p)) / 2; }},
     // Conventions differ in the sign of one of the two.
@@ -169,8 +173,7 @@ bool made_by(Wrong mistake) {
 }  // namespace
 
 TEST_CASE("metals, from air and from water") {
-  const std::string seen = gave(first_wrong(), exact(first_wrong()));
-  if (!is_right_everywhere()) {
+  if (const std::string seen = gave(first_wrong(), exact(first_wrong())); !is_right_everywhere()) {
     for (const auto& [tag, mistake] : mistakes)
       lt::diagnose(!made_by(mistake), tag, seen);
     lt::diagnose(!std::isnan(given(first_wrong())), "metal-nan", seen);
@@ -206,15 +209,13 @@ TEST_CASE("without k it is glass, total reflection included") {
 
 TEST_CASE("a cosine that rounding left above 1") {
   const Place above{1 + 1e-9, 1, 0.271, 3.609};
-  INFO("The cosine is 1 + 1e-9.");
   if (is_right_everywhere())
     lt::diagnose(!std::isnan(given(above)), "cosine-above-one", gave(above, exact(places[0])));
   REQUIRE(is_right(above, exact(places[0])));
 }
 
 TEST_CASE("a metal in colour: each channel has its own eta and its own k") {
-  const Rgb eta(0.3, 1.02, 1.25);
-  const Rgb k(3.205, 2.577, 2.483);
+  const Rgb eta(0.3, 1.02, 1.25), k(3.205, 2.577, 2.483);
   const std::array<std::string, 3> names{"red", "green", "blue"};
   const Rgb value = fresnel_conductor(0.7, 1.33, eta, k);
   for (int c = 0; c < 3; ++c) {

@@ -38,7 +38,7 @@ Reflectance exact(Place at) {
 }
 
 bool is_near(double a, double b) {
-  return std::abs(a - b) < 1e-6;  // float arithmetic passes, NaN does not
+  return std::abs(a - b) < 1e-6;  // double arithmetic is much closer; NaN never is
 }
 bool is_near(Reflectance a, Reflectance b) {
   return is_near(a.s, b.s) && is_near(a.p, b.p);
