@@ -80,7 +80,7 @@ template <Scattering Model>
     text += line;
   };
   const auto time = [&](const auto& f) { return nanoseconds(f, rounds); };
-  const UniformLambert matt{Rgb(0.5f)};
+  const CosineLambert matt{Rgb(0.5f)};
   const Mirror mirror{gold};
   const Glass glass{1.0f, 1.5f};
   row("Schlick", time([&](std::size_t i) { return schlick(wo[i].z, 0.04f); }));
@@ -96,7 +96,7 @@ template <Scattering Model>
   const int paths = std::max(1, rounds / 10);
   row("path in the matt room, known matt",
       path_nanoseconds(
-          room, [](const Surface& s) { return uniform_lambert_at(s); }, paths));
+          room, [](const Surface& s) { return cosine_lambert_at(s); }, paths));
   row("path in the matt room, one of three",
       path_nanoseconds(
           room, [](const Surface& s) { return smooth_bsdf_at(s); }, paths));

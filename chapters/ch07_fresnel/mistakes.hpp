@@ -100,22 +100,22 @@ template <class GlassFrom>
 [[nodiscard]] auto with_glass(const GlassFrom& glass_from) {
   return [glass_from](const Surface& surface) {
     using Wrong = decltype(glass_from(surface));
-    using WrongBsdf = OneOf<UniformLambert, Mirror, Wrong>;
+    using WrongBsdf = OneOf<CosineLambert, Mirror, Wrong>;
     const SmoothBsdf right = smooth_bsdf_at(surface);
     if (std::holds_alternative<Glass>(right.kind)) return WrongBsdf{glass_from(surface)};
     if (const auto* mirror = std::get_if<Mirror>(&right.kind)) return WrongBsdf{*mirror};
-    return WrongBsdf{std::get<UniformLambert>(right.kind)};
+    return WrongBsdf{std::get<CosineLambert>(right.kind)};
   };
 }
 
 /// smooth_bsdf_at() with mirrors as printed.
 [[nodiscard]] inline auto printed_mirror_at(const Surface& surface) {
-  using WrongBsdf = OneOf<UniformLambert, MirrorAsPrinted, Glass>;
+  using WrongBsdf = OneOf<CosineLambert, MirrorAsPrinted, Glass>;
   const SmoothBsdf right = smooth_bsdf_at(surface);
   if (const auto* mirror = std::get_if<Mirror>(&right.kind))
     return WrongBsdf{MirrorAsPrinted{*mirror}};
   if (const auto* glass = std::get_if<Glass>(&right.kind)) return WrongBsdf{*glass};
-  return WrongBsdf{std::get<UniformLambert>(right.kind)};
+  return WrongBsdf{std::get<CosineLambert>(right.kind)};
 }
 // [with-mistake]
 

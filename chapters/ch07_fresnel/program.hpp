@@ -27,8 +27,7 @@ inline void write_smooth_view(const SmoothViewOptions& show, const RenderOptions
 /// Draws a plot.
 /// @throws InputError  `out` is no .svg
 inline void write_curves(const std::string& name, const std::filesystem::path& out) {
-  if (out.extension() != ".svg")
-    throw InputError("--out: " + printable(out.string()) + " is no plot; end it in .svg");
+  require_plot_path(out);
   write_file_whole(out, to_svg(curve_plot(name)));
 }
 

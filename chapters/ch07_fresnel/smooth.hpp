@@ -2,7 +2,7 @@
 /// What happens at a surface, as far as the course has come: matt, mirror or glass.
 #pragma once
 
-#include "ch05_rendering_equation/uniform_lambert.hpp"
+#include "ch06_importance_sampling/cosine_lambert.hpp"
 #include "ch07_fresnel/glass.hpp"
 #include "ch07_fresnel/mirror.hpp"
 #include "ch07_fresnel/one_of.hpp"
@@ -10,7 +10,7 @@
 namespace lt {
 
 // [smooth-at]
-using SmoothBsdf = OneOf<UniformLambert, Mirror, Glass>;
+using SmoothBsdf = OneOf<CosineLambert, Mirror, Glass>;
 
 /// Metals are mirrors, clear dielectrics are glass, all else is matt as before: as if nothing were
 /// rough, nothing wore a coat, and glass swallowed no light.
@@ -19,7 +19,7 @@ using SmoothBsdf = OneOf<UniformLambert, Mirror, Glass>;
   if (material.type == MaterialType::metal)
     return {Mirror{{Rgb(material.ior), Rgb(material.extinction)}, material.tint}};
   if (!is_opaque(material)) return {glass_at(surface)};
-  return {UniformLambert{material.tint}};
+  return {CosineLambert{material.tint}};
 }
 // [smooth-at]
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "ch05_rendering_equation/views.hpp"
+#include "ch06_importance_sampling/packed_scene.hpp"
 #include "ch07_fresnel/mistakes.hpp"
 #include "ch07_fresnel/smooth_room.hpp"
 
@@ -43,13 +44,15 @@ struct SmoothViewOptions {
 }
 
 // [smooth-estimator]
-/// The recursion of chapter 5, with what happens at a surface known when the program is compiled.
+/// The recursion of chapter 5 on chapter 6's blocks, with what happens at a surface known when the
+/// program is compiled.
 /// @param bsdf_at  a function object: of a plain function only the address would be known
+/// @param scene  must outlive what is returned
 template <Scattering Model>
 [[nodiscard]] AnyEstimator estimator_with(const TexturedScene& scene, const Model& bsdf_at,
                                           int depth) {
-  return [&scene, bsdf_at, depth](const Ray& ray, Pcg32& random) {
-    return radiance_recursive(scene, bsdf_at, ray, depth, random);
+  return [packed = PackedScene(scene), bsdf_at, depth](const Ray& ray, Pcg32& random) {
+    return radiance_recursive(packed, bsdf_at, ray, depth, random);
   };
 }
 

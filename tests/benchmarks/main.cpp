@@ -6,6 +6,7 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   lt::bench::add_numbers();
+  lt::bench::add_bsdfs();
   lt::bench::add_rays();
   lt::bench::add_paths();
   lt::bench::Table table;

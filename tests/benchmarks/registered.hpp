@@ -10,6 +10,7 @@
 namespace lt::bench {
 
 void add_numbers();  ///< random numbers and samplers
+void add_bsdfs();    ///< Fresnel, and what each kind of surface does
 void add_rays();     ///< closest hits
 void add_paths();    ///< camera paths, and pictures by one and two threads
 

@@ -33,7 +33,7 @@ TEST_CASE("smooth room: no sample is negative or infinite or NaN in any view") {
     CHECK(summary(film_of(small(view), 32)).bad == 0);
 }
 
-TEST_CASE("smooth room: without mirrors and glass it is chapter 5's, bit for bit") {
+TEST_CASE("smooth room: without mirrors and glass it is chapter 6's, bit for bit") {
   const TexturedScene scene = matt_room(16);
   for (int i = 0; i < 10'000; ++i) {
     const Ray ray = camera_ray(room_camera_far(), vec2(i % 100, i / 100), 100, 100);
@@ -41,10 +41,10 @@ TEST_CASE("smooth room: without mirrors and glass it is chapter 5's, bit for bit
     Pcg32 a = stream_for(1, i, 0, 0), b = stream_for(1, i, 0, 0);
     // Paths that meet the metal ball differ: here it is left matt.
     const auto matt_at = [](const Surface& surface) -> SmoothBsdf {
-      return {UniformLambert{surface.material.tint}};
+      return {CosineLambert{surface.material.tint}};
     };
     REQUIRE(radiance_recursive(all, matt_at, ray, 6, a) ==
-            radiance_recursive(all, uniform_lambert_at, ray, 6, b));
+            radiance_recursive(all, cosine_lambert_at, ray, 6, b));
   }
 }
 

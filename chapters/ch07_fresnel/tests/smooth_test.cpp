@@ -29,13 +29,13 @@ bool is_a(const SmoothBsdf& bsdf) {
 }  // namespace
 
 static_assert(Bsdf<SmoothBsdf>);
-static_assert(Bsdf<OneOf<UniformLambert>>);
+static_assert(Bsdf<OneOf<CosineLambert>>);
 
 TEST_CASE("smooth: metals are mirrors, clear dielectrics are glass, all else is matt") {
   CHECK(is_a<Mirror>(smooth_bsdf_at(surface_of(metal))));
   CHECK(is_a<Glass>(smooth_bsdf_at(surface_of(clear))));
-  CHECK(is_a<UniformLambert>(smooth_bsdf_at(surface_of({}))));
-  CHECK(is_a<UniformLambert>(smooth_bsdf_at(surface_of({.type = MaterialType::plastic}))));
+  CHECK(is_a<CosineLambert>(smooth_bsdf_at(surface_of({}))));
+  CHECK(is_a<CosineLambert>(smooth_bsdf_at(surface_of({.type = MaterialType::plastic}))));
   // Who swallows light in one color only is clear in the others: the thesis' clear sphere.
   CHECK(is_a<Glass>(smooth_bsdf_at(surface_of({.attenuation = {0.0f, 1.0f, 0.666f}}))));
 }
@@ -55,7 +55,7 @@ TEST_CASE("smooth: each kind answers as it does alone") {
       REQUIRE(one.pdf(slanting, a->wi) == alone.pdf(slanting, a->wi));
     }
   };
-  check_same(smooth_bsdf_at(surface_of({.tint = Rgb(0.3f)})), UniformLambert{Rgb(0.3f)});
+  check_same(smooth_bsdf_at(surface_of({.tint = Rgb(0.3f)})), CosineLambert{Rgb(0.3f)});
   check_same(smooth_bsdf_at(surface_of(metal)), Mirror{{Rgb(0.277f), Rgb(2.92f)}, Rgb(0.5f)});
   check_same(smooth_bsdf_at(surface_of(clear)), Glass{1.0f, 1.5f});
   check_same(smooth_bsdf_at(surface_of(clear, false)), Glass{1.5f, 1.0f});

@@ -1,0 +1,70 @@
+// What a surface does: eval, sample and pdf of each kind.
+#include <string>
+#include <vector>
+
+#include "ch04_monte_carlo/pcg32.hpp"
+#include "ch06_importance_sampling/cosine_lambert.hpp"
+#include "ch07_fresnel/glass.hpp"
+#include "ch07_fresnel/mirror.hpp"
+#include "ch07_fresnel/schlick.hpp"
+#include "tests/benchmarks/registered.hpp"
+
+namespace lt::bench {
+namespace {
+
+constexpr std::size_t count = 1024;
+
+// Directions to look from, numbers to sample with, and directions to ask for.
+struct Questions {
+  std::vector<vec3> wo, wi, u;
+
+  Questions() {
+    Pcg32 random(1);
+    for (std::size_t i = 0; i < count; ++i) {
+      wo.push_back(cosine_hemisphere(random.next_vec2()));
+      wi.push_back(cosine_hemisphere(random.next_vec2()));
+      u.push_back(random.next_vec3());
+    }
+  }
+};
+
+// One turn is 1024 calls: a single one is shorter than the loop around it.
+template <class Call>
+void add(const std::string& name, const char* unit, const Call& call) {
+  const auto measure = [=](benchmark::State& state) {
+    const Questions ask;
+    for (auto _ : state)
+      for (std::size_t i = 0; i < count; ++i)
+        benchmark::DoNotOptimize(call(ask, i));
+    report(state, count, unit);
+  };
+  add_benchmark(name, measure);
+}
+
+template <Bsdf AnyBsdf>
+void add_bsdf(const std::string& name, const AnyBsdf& bsdf) {
+  add(name + "/eval", "values",
+      [=](const Questions& ask, std::size_t i) { return bsdf.eval(ask.wo[i], ask.wi[i]); });
+  add(name + "/sample", "directions",
+      [=](const Questions& ask, std::size_t i) { return bsdf.sample(ask.wo[i], ask.u[i]); });
+  add(name + "/pdf", "densities",
+      [=](const Questions& ask, std::size_t i) { return bsdf.pdf(ask.wo[i], ask.wi[i]); });
+}
+
+}  // namespace
+
+void add_bsdfs() {
+  add("Fresnel/Schlick", "shares",
+      [](const Questions& ask, std::size_t i) { return schlick(ask.wo[i].z, 0.04f); });
+  add("Fresnel/dielectric", "shares", [](const Questions& ask, std::size_t i) {
+    return fresnel_dielectric(ask.wo[i].z, 1.0f, 1.5f);
+  });
+  add("Fresnel/conductor, three channels", "colours", [](const Questions& ask, std::size_t i) {
+    return fresnel_conductor(ask.wo[i].z, index_of_air, gold.eta, gold.k);
+  });
+  add_bsdf("matt", CosineLambert{Rgb(0.5f)});
+  add_bsdf("mirror", Mirror{gold});
+  add_bsdf("clear glass", Glass{1.0f, 1.5f});
+}
+
+}  // namespace lt::bench
