@@ -26,8 +26,8 @@ inline constexpr float lobe_alphas[] = {0.1f, 0.2f, 0.4f, 0.7f, 1.0f};
   PolarCurve curve;
   double largest = 0;
   const vec3 wo = at_angle(-wo_degrees);
-  for (int i = -360; i <= 360; ++i) {
-    const double degrees = i / 4.0;
+  for (int i = -180; i <= 180; ++i) {
+    const double degrees = i / 2.0;
     const vec3 wi = at_angle(degrees);
     curve.angles.push_back(degrees);
     curve.radii.push_back(brdf.eval(wo, wi).g * wi.z);

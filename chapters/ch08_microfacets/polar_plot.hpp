@@ -40,7 +40,7 @@ class PolarDrawing {
   }
 
  private:
-  static constexpr double x_ = 295, y_ = 388, radius_ = 270;
+  static constexpr double x_ = 290, y_ = 388, radius_ = 260;
 
   /// The place at an angle from straight up, degrees, "x y".
   [[nodiscard]] static std::string at(double degrees, double radius) {
