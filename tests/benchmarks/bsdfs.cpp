@@ -7,6 +7,7 @@
 #include "ch07_fresnel/glass.hpp"
 #include "ch07_fresnel/mirror.hpp"
 #include "ch07_fresnel/schlick.hpp"
+#include "ch08_microfacets/microfacet.hpp"
 #include "tests/benchmarks/registered.hpp"
 
 namespace lt::bench {
@@ -65,6 +66,7 @@ void add_bsdfs() {
   add_bsdf("matt", CosineLambert{Rgb(0.5f)});
   add_bsdf("mirror", Mirror{gold});
   add_bsdf("clear glass", Glass{1.0f, 1.5f});
+  add_bsdf("rough gold, by the cosine", MicrofacetReflection{Ggx{0.3f}, ConductorFresnel{gold}});
 }
 
 }  // namespace lt::bench
