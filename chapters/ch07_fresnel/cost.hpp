@@ -19,7 +19,7 @@ namespace lt {
 /// @param f       gives a number, not negative
 /// @param rounds  how many times 4096 calls
 template <class F>
-[[nodiscard]] double nanoseconds_in_rounds(const F& f, int rounds) {
+[[nodiscard]] double nanoseconds(const F& f, int rounds) {
   return best_nanoseconds(4096 * rounds,
                           [&](int i) { return f(static_cast<std::size_t>(i % 4096)); });
 }
@@ -43,7 +43,7 @@ template <Scattering Model>
                               random)
         .g;
   };
-  return nanoseconds_in_rounds(path, rounds);
+  return nanoseconds(path, rounds);
 }
 // [path-cost]
 
@@ -63,7 +63,7 @@ template <Scattering Model>
     std::snprintf(line, sizeof line, "%-36s %7.1f ns\n", name, time);
     text += line;
   };
-  const auto time = [&](const auto& f) { return nanoseconds_in_rounds(f, rounds); };
+  const auto time = [&](const auto& f) { return nanoseconds(f, rounds); };
   const CosineLambert matt{Rgb(0.5f)};
   const Mirror mirror{gold};
   const Glass glass{1.0f, 1.5f};
