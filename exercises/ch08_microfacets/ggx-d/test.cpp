@@ -1,6 +1,5 @@
 #include "api.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -185,11 +184,12 @@ TEST_CASE("brushed_ggx_d has a width for each axis") {
   const vec2 alphas{0.2f, 0.5f};
   const std::string seen = gave(call("brushed_ggx_d", alphas, first), brushed_ggx_d(alphas, first),
                                 expected(dvec2(alphas), first));
-  for (const auto& [tag, formula] : brushed_mistakes)
-    lt::diagnose(
-        !std::all_of(normals.begin(), normals.end(),
-                     [&](vec3 h) { return is_near(brushed_ggx_d(alphas, h), formula(alphas, h)); }),
-        tag, seen);
+  for (const auto& [tag, formula] : brushed_mistakes) {
+    std::size_t fits = 0;
+    for (const vec3 h : normals)
+      fits += is_near(brushed_ggx_d(alphas, h), formula(alphas, h));
+    lt::diagnose(fits < normals.size(), tag, seen);
+  }
   for (const vec3 h : normals) {
     REQUIRE(is_right(call("brushed_ggx_d", alphas, h), brushed_ggx_d(alphas, h),
                      expected(dvec2(alphas), h)));
