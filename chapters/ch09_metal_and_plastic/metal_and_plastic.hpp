@@ -11,12 +11,12 @@ namespace lt {
 // [metal]
 /// Thesis eq. 8, corrected: Fresnel's cosine is the one to the facet.
 template <NormalSampler Normals = VisibleNormals>
-using RoughMetal = RoughReflection<ConductorFresnel, Normals>;
+using MetalReflection = RoughReflection<ConductorFresnel, Normals>;
 
 /// A material's index and extinction are single numbers, the same for all colours: grey. The tint
 /// brings the colour.
 template <NormalSampler Normals = VisibleNormals>
-[[nodiscard]] RoughMetal<Normals> metal_of(const Material& material) {
+[[nodiscard]] MetalReflection<Normals> metal_of(const Material& material) {
   const Metal grey{Rgb(material.ior), Rgb(material.extinction)};
   return {{alpha_of(material.roughness)}, {grey, material.tint}};
 }
@@ -34,10 +34,10 @@ struct TintedFresnel {
 /// Thesis eq. 10: no more than a tinted reflection. The colour *below* the reflection, which one
 /// knows plastic by, is chapter 10's.
 template <NormalSampler Normals = VisibleNormals>
-using RoughPlastic = RoughReflection<TintedFresnel, Normals>;
+using PlasticReflection = RoughReflection<TintedFresnel, Normals>;
 
 template <NormalSampler Normals = VisibleNormals>
-[[nodiscard]] RoughPlastic<Normals> plastic_of(const Material& material) {
+[[nodiscard]] PlasticReflection<Normals> plastic_of(const Material& material) {
   return {{alpha_of(material.roughness)}, {{index_of_air, material.ior}, material.tint}};
 }
 // [plastic]

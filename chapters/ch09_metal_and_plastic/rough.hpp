@@ -12,7 +12,8 @@ namespace lt {
 
 // [rough-at]
 template <NormalSampler Normals = VisibleNormals>
-using RoughBsdf = OneOf<CosineLambert, Mirror, Glass, RoughMetal<Normals>, RoughPlastic<Normals>>;
+using RoughBsdf =
+    OneOf<CosineLambert, Mirror, Glass, MetalReflection<Normals>, PlasticReflection<Normals>>;
 
 /// Metal and plastic are rough, or mirrors where they are polished. Clear dielectrics are still
 /// smooth glass, opaque ones still matt: as if they wore no coat.
