@@ -19,17 +19,18 @@ bool parse(Options& options, int argc, char** argv) {
   lt::RoughViewOptions& show = options.show;
   lt::CommandLine line("ch09_metal_and_plastic", "Metal and plastic, sampled where they reflect.");
   line.add_choice("--view", show.view,
-                  {"room", "gold", "green", "spheres", "furnace", "pair", "rows"},
-                  "the room or a window of it, seven balls, or something in both ways");
+                  {"room", "gold", "green", "spheres", "furnace", "floor", "pair"},
+                  "the room or a window of it, seven balls, or a metal floor");
   line.add_choice("--camera", show.camera, {"far", "near"}, "where to stand in the room");
-  line.add_choice("--material", show.material, {"gold", "green", "white"}, "of the seven balls");
+  line.add_choice("--material", show.material, {"gold", "green", "white"},
+                  "of the balls or the floor");
   line.add_choice("--normals", show.normals, {"visible", "all"}, "how facets are chosen");
   line.add_choice(
       "--wrong", show.wrong,
       {"none", "jacobian", "cosine", "redraw", "twice", "fresnel", "angles", "absolute"},
       "make a mistake that the text shows");
-  line.add_int("--all-spp", show.all_spp, 0, 1'000'000,
-               "samples per pixel of the half that chooses among all; 0: as --spp");
+  line.add_float("--roughness", show.roughness, 0, 1, "of the metal floor");
+  line.add_int("--all-spp", show.all_spp, 0, 1'000'000, "--spp of a pair's left half; 0: as --spp");
   line.add_int("--depth", show.depth, 0, 1000, "how often light may be scattered");
   line.add_int("--texels", show.texels, 16, 4096, "side of the walls' textures");
   line.add_choice("--plot", options.plot, {"none", "weights", "facets", "noise", "chi-square"},
@@ -37,16 +38,16 @@ bool parse(Options& options, int argc, char** argv) {
   line.add_choice("--table", options.table, {"none", "weights", "efficiency", "cost"},
                   "print numbers instead");
   line.only_for("--camera", "--view", {"room"});
-  line.only_for("--material", "--view", {"spheres", "rows"});
-  line.only_for("--normals", "--view", {"room", "gold", "green", "spheres", "furnace"});
+  line.only_for("--material", "--view", {"spheres", "floor", "pair"});
+  line.only_for("--roughness", "--view", {"floor", "pair"});
+  for (const char* name : {"--normals", "--wrong"})
+    line.only_for(name, "--view", {"room", "gold", "green", "spheres", "furnace", "floor"});
   line.only_for("--normals", "--wrong", {"none"});
-  line.only_for("--wrong", "--view", {"room", "gold", "green", "spheres", "furnace"});
-  line.only_for("--all-spp", "--view", {"pair", "rows"});
-  line.only_for("--texels", "--view", {"room", "gold", "green", "pair"});
-  for (const char* name : {"--view", "--normals", "--wrong", "--depth"}) {
-    line.only_for(name, "--plot", {"none"});
-    line.only_for(name, "--table", {"none"});
-  }
+  line.only_for("--all-spp", "--view", {"pair"});
+  line.only_for("--texels", "--view", {"room", "gold", "green"});
+  for (const char* name : {"--view", "--normals", "--wrong"})
+    for (const char* instead : {"--plot", "--table"})
+      line.only_for(name, instead, {"none"});
   lt::add_picture_options(line, options.picture);
   lt::add_sampling_options(line, options.picture);
   return line.parse(argc, argv);

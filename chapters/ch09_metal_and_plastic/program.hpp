@@ -16,10 +16,10 @@ namespace lt {
 inline void write_rough_view(const RoughViewOptions& show, const RenderOptions& picture,
                              const std::filesystem::path& out, const std::atomic<bool>& cancel) {
   require_picture_path(out);  // before the work, not after it
-  if (show.view == "pair" || show.view == "rows") {
+  if (show.view == "pair") {
     SampleRange range = range_for(picture);
     range.last = picture.samples_per_pixel;
-    save_image(out, both_ways(show, picture.width, picture.height, range, cancel));
+    save_image(out, normals_pair(show, picture.width, picture.height, range, cancel));
     return;
   }
   render_to_file(rough_estimator(show), rough_camera(show), picture, out, cancel);

@@ -14,19 +14,20 @@ namespace lt {
 
 /// What to show.
 struct RoughViewOptions {
-  std::string view = "room";        ///< room, green, spheres, furnace, pair or rows
+  std::string view = "room";        ///< room, gold, green, spheres, furnace, floor or pair
   std::string camera = "far";       ///< far or near, for the room
-  std::string material = "gold";    ///< gold, green or white, for spheres and rows
+  std::string material = "gold";    ///< gold, green or white, for spheres and the floor
   std::string normals = "visible";  ///< visible or all: how facets are chosen
   std::string wrong = "none";       ///< a mistake that the text shows
-  int all_spp = 0;   ///< samples per pixel of the half that chooses among all; 0: as the other
+  float roughness = 0.3f;           ///< of the floor, 0 to 1
+  int all_spp = 0;   ///< samples per pixel of a pair's half of all normals; 0: as the other
   int depth = 12;    ///< scattering events at most, >= 0
   int texels = 256;  ///< side of the walls' textures
 };
 
-/// True for the views of chapter 8's row of balls.
-[[nodiscard]] inline bool shows_row(const RoughViewOptions& show) {
-  return show.view == "spheres" || show.view == "furnace" || show.view == "rows";
+/// True for the views of the room.
+[[nodiscard]] inline bool shows_room(const RoughViewOptions& show) {
+  return show.view == "room" || show.view == "gold" || show.view == "green";
 }
 
 // [row-material]
@@ -40,7 +41,10 @@ struct RoughViewOptions {
 
 [[nodiscard]] inline Studio studio_for(const RoughViewOptions& show) {
   if (show.view == "furnace") return row_of(material_named("white"), even_sky(Rgb(0.5f)));
-  return row_of(material_named(show.material));
+  Material material = material_named(show.material);
+  if (show.view == "spheres") return row_of(material);
+  material.roughness = show.roughness;
+  return metal_floor(material);
 }
 // [row-material]
 
@@ -52,9 +56,10 @@ struct RoughViewOptions {
 }
 
 [[nodiscard]] inline Camera rough_camera(const RoughViewOptions& show) {
-  if (shows_row(show)) return row_camera();
+  if (show.view == "gold") return ball_camera(0.5f);
   if (show.view == "green") return ball_camera(2.5f);
-  if (show.view == "gold" || show.view == "pair") return ball_camera(0.5f);
+  if (show.view == "floor" || show.view == "pair") return metal_floor_camera();
+  if (!shows_room(show)) return row_camera();
   return show.camera == "far" ? room_camera_far() : room_camera_near();
 }
 
@@ -94,40 +99,33 @@ template <class F>
 
 /// The estimator of any view. It keeps what it needs.
 [[nodiscard]] inline AnyEstimator rough_estimator(const RoughViewOptions& show) {
-  if (shows_row(show)) return studio_estimator(show);
+  if (!shows_room(show)) return studio_estimator(show);
   const auto room = std::make_shared<const TexturedScene>(smooth_room(show.texels, 1.5f));
   return [room, estimate = room_estimator(show, *room)](const Ray& ray, Pcg32& random) {
     return estimate(ray, random);
   };
 }
 
-// [both]
-/// One view twice: facets chosen among all on the left or above, among the visible ones on the
-/// right or below; white between them.
-[[nodiscard]] inline Image both_ways(RoughViewOptions show, int width, int height,
-                                     const SampleRange& range, const std::atomic<bool>& cancel) {
-  const bool above = shows_row(show);
-  const int part_width = above ? width : std::max(1, width / 2 - 1);
-  const int part_height = above ? std::max(1, height / 2 - 1) : height;
+// [pair]
+/// The floor twice: facets chosen among all on the left, among the visible ones on the right.
+[[nodiscard]] inline Image normals_pair(RoughViewOptions show, int width, int height,
+                                        const SampleRange& range, const std::atomic<bool>& cancel) {
+  const int left = std::max(1, width / 2 - 1);  // two columns between them stay white
+  const int right = std::max(1, width - left - 2);
   const int all_spp = show.all_spp > 0 ? show.all_spp : range.last;
-  Progress progress(show.view, std::int64_t{part_width} * part_height * (all_spp + range.last));
+  Progress progress("pair", std::int64_t{height} * (left * all_spp + right * range.last));
   Image image(width, height, Rgb(1.0f));
   for (const bool all : {true, false}) {
     show.normals = all ? "all" : "visible";
-    SampleRange part_range = range;
-    if (all) part_range.last = all_spp;
-    Film film(part_width, part_height);
-    render(film, rough_camera(show), rough_estimator(show), part_range, cancel, &progress);
+    SampleRange samples = range;
+    if (all) samples.last = all_spp;
+    Film film(all ? left : right, height);
+    render(film, rough_camera(show), rough_estimator(show), samples, cancel, &progress);
     require_good_samples(film);
-    const Image part = developed(film);
-    const int left = all || above ? 0 : width - part_width;
-    const int top = all || !above ? 0 : height - part_height;
-    for (int y = 0; y < part_height && top + y < height; ++y)
-      for (int x = 0; x < part_width; ++x)
-        image.at(left + x, top + y) = part.at(x, y);
+    paste_at(image, developed(film), all ? 0 : width - film.width());
   }
   return image;
 }
-// [both]
+// [pair]
 
 }  // namespace lt

@@ -48,14 +48,12 @@ namespace lt {
 [[nodiscard]] inline std::string rough_efficiency_table(RoughViewOptions show, int samples,
                                                         std::uint64_t seed) {
   std::string text = "view        normals   variance  ns/sample  efficiency\n";
-  for (const char* view : {"room", "gold", "green", "spheres", "furnace"})
+  for (const char* view : {"room", "gold", "green", "spheres", "furnace", "floor"})
     for (const char* normals : {"all", "visible"}) {
       show.view = view;
       show.normals = normals;
-      const bool row = shows_row(show);
-      const SampleCost cost =
-          measure_cost(rough_camera(show), rough_estimator(show), row ? 280 : 90, row ? 44 : 72,
-                       {.last = samples, .seed = seed, .threads = 1});
+      const SampleCost cost = measure_cost(rough_camera(show), rough_estimator(show), 140, 50,
+                                           {.last = samples, .seed = seed, .threads = 1});
       char line[120];
       std::snprintf(line, sizeof line, "%-10s  %-8s %9.5f  %9.0f  %10.0f\n", view, normals,
                     cost.variance, 1e9 * cost.seconds, efficiency(cost));

@@ -54,6 +54,31 @@ struct Studio {
 }
 // [studio]
 
+// [metal-floor]
+/// Three matt balls on an endless floor of metal, seen from so low that the floor's facets hide
+/// each other. No lamp.
+/// @param metal  of the floor, with its roughness
+[[nodiscard]] inline Studio metal_floor(const Material& metal) {
+  Scene shapes;
+  shapes.spheres = {
+      {{-1.25f, 0.5f, 3.2f}, 0.5f}, {{0.1f, 0.6f, 4.6f}, 0.6f}, {{1.2f, 0.4f, 2.4f}, 0.4f}};
+  shapes.grounds = {{0.0f}};
+  Studio studio{TexturedScene(shapes), {.lamp_cosine = 1.0f}};
+  std::vector<Look>& looks = studio.scene.looks;
+  looks[0].material.tint = {0.75f, 0.15f, 0.10f};
+  looks[1].material.tint = {0.80f, 0.78f, 0.74f};
+  looks[2].material.tint = {0.10f, 0.25f, 0.60f};
+  looks[3].material = metal;
+  return studio;
+}
+
+[[nodiscard]] inline Camera metal_floor_camera() {
+  Camera camera = look_at({0.0f, 0.5f, -2.5f}, {0.0f, 0.42f, 3.0f});
+  camera.field_of_view = radians(34.0f);
+  return camera;
+}
+// [metal-floor]
+
 // [row-of]
 /// Chapter 8's row of balls, all of one material but for the roughness.
 [[nodiscard]] inline Studio row_of(Material material, const Sky& sky = {}) {
