@@ -22,8 +22,7 @@ bool parse(Options& options, int argc, char** argv) {
                   {"room", "gold", "green", "spheres", "furnace", "floor", "pair"},
                   "the room or a window of it, seven balls, or a metal floor");
   line.add_choice("--camera", show.camera, {"far", "near"}, "where to stand in the room");
-  line.add_choice("--material", show.material, {"gold", "green", "white"},
-                  "of the balls or the floor");
+  line.add_choice("--material", show.material, {"gold", "green", "white"}, "of balls or floor");
   line.add_choice("--normals", show.normals, {"visible", "all"}, "how facets are chosen");
   line.add_choice(
       "--wrong", show.wrong,

@@ -41,36 +41,40 @@ template <Bsdf AnyBsdf>
   return text;
 }
 
-/// How many samples have a weight above w, as a share.
-[[nodiscard]] inline Series share_above(const std::string& label, std::vector<double> weights) {
-  std::sort(weights.begin(), weights.end(), std::greater<>());
+// [one-in]
+/// The weight that one sample in N exceeds, over N.
+[[nodiscard]] inline Series one_in(const std::string& label, std::vector<double> weights) {
+  std::sort(weights.begin(), weights.end());  // the largest last
   Series series{label, {}, {}};
   const auto count = static_cast<double>(weights.size());
-  // Ranks 1, 1.2, 1.44, ...: evenly over a logarithmic axis.
-  for (double rank = 1; rank < count; rank = std::max(rank + 1, std::floor(rank * 1.2)))
-    series.add(weights[static_cast<std::size_t>(rank) - 1], rank / count);
+  for (int i = 5; i <= 60; ++i) {
+    const double n = std::pow(10.0, i / 10.0);
+    if (n > count) break;
+    const auto larger = static_cast<std::size_t>(std::max(1.0, std::floor(count / n)));
+    series.add(n, weights[weights.size() - larger]);
+  }
   return series;
 }
+// [one-in]
 
 /// The tails of the weights at cosine 0.1.
 [[nodiscard]] inline Plot weights_plot(std::uint64_t seed) {
   Plot plot;
-  plot.title = "How many weights are larger, seen at cosine 0.1?";
-  plot.x_label = "weight w";
-  plot.y_label = "share of samples above w";
+  plot.title = "How large is the largest weight of N samples?";
+  plot.x_label = "N: one sample in N weighs more";
+  plot.y_label = "weight, seen at cosine 0.1";
   plot.log_x = plot.log_y = true;
   plot.description =
-      "Both axes are logarithmic. With visible normals no weight is above 1: the line falls "
-      "straight down there. With all normals one sample in ten thousand weighs 8 at alpha 1, 20 "
-      "at alpha 0.3 and 20 at alpha 0.1, one in a million more than 70.";
+      "Both axes are logarithmic. With visible normals the line stays at 1. With all normals, one "
+      "sample in a hundred weighs more than 4 to 7; one in a million more than 10 at alpha 1, 32 "
+      "at alpha 0.3 and 74 at alpha 0.1.";
   const vec3 wo = at_cosine(0.1f);
+  const auto add = [&](const std::string& name, float alpha, const auto& bsdf) {
+    plot.series.push_back(one_in(with_alpha(name, alpha), weights_of(bsdf, wo, 1'000'000, seed)));
+  };
   for (const float alpha : {0.1f, 0.3f, 1.0f})
-    plot.series.push_back(
-        share_above(with_alpha("all,", alpha),
-                    weights_of(White<AllNormals>{{alpha}, {}}, wo, 1'000'000, seed)));
-  plot.series.push_back(
-      share_above(with_alpha("visible,", 0.3f),
-                  weights_of(White<VisibleNormals>{{0.3f}, {}}, wo, 1'000'000, seed)));
+    add("all,", alpha, White<AllNormals>{{alpha}, {}});
+  add("visible,", 0.3f, White<VisibleNormals>{{0.3f}, {}});
   return plot;
 }
 
@@ -79,7 +83,7 @@ template <Bsdf AnyBsdf>
   Plot plot = density_axes("Chosen facets, seen at cosine 0.2, \u03b1 0.5",
                            "Two histograms. Of all normals 31 percent show their back: their "
                            "cosine is negative. Visible normals all have positive cosines, "
-                           "most of them between 0.2 and 0.8.");
+                           "spread about evenly between 0.3 and 1.");
   plot.x_label = "cosine between facet and view";
   const Ggx ggx{0.5f};
   const vec3 wo = at_cosine(0.2f);
@@ -106,7 +110,7 @@ template <Bsdf AnyBsdf>
   plot.log_x = plot.log_y = true;
   plot.description =
       "Both axes are logarithmic. From above both samplers are equally noisy. Towards the horizon "
-      "the noise of all normals rises above 1, that of visible normals never does.";
+      "the noise of all normals rises above 2, that of visible normals falls below 0.1.";
   const auto add = [&](const std::string& label, const auto& bsdf) {
     Series series{label, {}, {}};
     for (int i = 0; i <= 20; ++i) {

@@ -99,7 +99,7 @@ TEST_CASE("program: a cancelled view is a whole picture of what there is") {
 TEST_CASE("program: plots are drawn into files that end in svg and nowhere else") {
   const TemporaryFolder folder;
   CHECK_THROWS_AS(write_sampler_plot("facets", 1, folder / "plot.png"), InputError);
-  const std::pair<const char*, const char*> words[] = {{"weights", "larger"},
+  const std::pair<const char*, const char*> words[] = {{"weights", "largest"},
                                                        {"facets", "visible"},
                                                        {"noise", "deviation"},
                                                        {"chi-square", "redrawn"}};
