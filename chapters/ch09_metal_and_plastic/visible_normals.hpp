@@ -15,10 +15,10 @@ namespace lt {
 /// the part that is hidden. Heitz and d'Eon 2014.
 struct VisibleNormals {
   // [visible-normals-sample]
-  /// GGX facets lean as the upper half of an ellipsoid does, as high as 1 and as wide as alpha.
-  /// With all stretched to a sphere, the facets that one sees mirror the view evenly into a cap of
-  /// the sphere of directions: all those higher than -view.z. So take one of these, and the normal
-  /// half-way to it. Dupuy and Benyoub 2023.
+  /// GGX facets lean as those of half an ellipsoid do, of radius 1 and height alpha. Stretched to a
+  /// half sphere, the facets that one sees mirror the view evenly into a cap of the sphere of
+  /// directions: all those higher than -view.z. So take one of these, and the normal half-way to
+  /// it. Dupuy and Benyoub 2023.
   /// @param u  each in [0, 1)
   /// @return unit, local frame, z > 0
   [[nodiscard]] static vec3 sample(const Ggx& ggx, vec3 wo, vec2 u) {
@@ -29,7 +29,7 @@ struct VisibleNormals {
     const float radius = std::sqrt(std::max(0.0f, (1.0f - z) * (1.0f + z)));
     const float phi = 2.0f * pi * u.x;
     const vec2 across(radius * std::cos(phi) + view.x, radius * std::sin(phi) + view.y);
-    return normalize(vec3(ggx.alpha * across, height));  // the sum, shrunk back
+    return normalize(vec3(ggx.alpha * across, height));  // flat again, normals rise
   }
   // [visible-normals-sample]
 
