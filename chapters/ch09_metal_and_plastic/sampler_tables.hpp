@@ -80,8 +80,11 @@ namespace lt {
     text += line;
   };
   const Ggx ggx{0.3f};
-  row("a facet among all", [&](std::size_t i) { return AllNormals::sample(ggx, wo[i], u[i]).z; });
-  row("a visible facet", [&](std::size_t i) { return VisibleNormals::sample(ggx, wo[i], u[i]).z; });
+  const auto sum = [](vec3 v) { return v.x + v.y + v.z; };  // so that no part is left out
+  row("a facet among all",
+      [&](std::size_t i) { return sum(AllNormals::sample(ggx, wo[i], u[i])); });
+  row("a visible facet",
+      [&](std::size_t i) { return sum(VisibleNormals::sample(ggx, wo[i], u[i])); });
   const auto rows_of = [&](const std::string& name, const auto& bsdf) {
     row(("sample, " + name).c_str(), [&](std::size_t i) { return sampled(bsdf, wo[i], u[i]); });
     row(("pdf, " + name).c_str(), [&](std::size_t i) { return bsdf.pdf(wo[i], wi[i]); });
