@@ -8,6 +8,7 @@
 
 #include "ch02_ray_casting/camera.hpp"
 #include "ch02_ray_casting/scene.hpp"
+#include "ch02_ray_casting/surface_point.hpp"
 #include "ch03_surfaces/frame.hpp"
 #include "ch04_monte_carlo/pcg32.hpp"
 #include "ch08_microfacets/albedo.hpp"

@@ -54,9 +54,8 @@ bool parse(Options& options, int argc, char** argv) {
 
 void run(const Options& options, const std::atomic<bool>& cancel) {
   const auto& [picture, show, plot, table] = options;
-  if (table == "energy") std::cout << lt::energy_table(show.brdf, 1000);
-  if (table == "cost") std::cout << lt::microfacet_cost_table(500);
-  if (table != "none") return;
+  if (table == "energy") return void(std::cout << lt::energy_table(show.brdf, 1000));
+  if (table == "cost") return void(std::cout << lt::microfacet_cost_table(500));
   std::filesystem::path out = picture.out;
   if (out.empty()) out = plot != "none" ? plot + ".svg" : show.view + ".png";
   if (plot != "none") {

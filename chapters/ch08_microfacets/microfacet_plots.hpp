@@ -44,7 +44,7 @@ template <class F>
 [[nodiscard]] inline Plot d_plot() {
   Plot plot = microfacet_plot(
       "How facets lean: D for five alphas", "D, 1/sr",
-      "A logarithmic axis. For alpha 0.1 the curve starts at 32 and has lost nearly five powers of "
+      "A logarithmic axis. For alpha 0.1 the curve starts at 32 and has lost four powers of "
       "ten at 80 degrees; for alpha 1 it is flat at 0.32: all facets are equally frequent. Every "
       "curve has a long tail and none falls to 0.");
   plot.log_y = true;
@@ -59,7 +59,7 @@ template <class F>
   Plot plot = microfacet_plot(
       "How much one sees: G1 for five alphas", "share of the facets that is seen",
       "All curves are 1 at the normal and fall to 0 at 90 degrees. For alpha 0.1 the curve stays "
-      "at 1 up to 70 degrees and then drops; for alpha 1 it falls from the beginning.");
+      "near 1 up to 70 degrees and then drops; for alpha 1 it falls from the beginning.");
   for (const float alpha : lobe_alphas)
     plot.series.push_back(over_angle(with_alpha("\u03b1 ", alpha), [&](vec3 w) {
       return 1.0 / (1.0 + double{Ggx{alpha}.lambda(w)});
@@ -72,7 +72,7 @@ template <class F>
   Plot plot = microfacet_plot(
       "Seen and lit: both forms of G2", "share of the facets that is seen and lit",
       "Light and eye at the same angle on opposite sides, for alpha 0.4 and 1. The correlated form "
-      "lies above the separable one everywhere; for alpha 1 at 75 degrees it is 0.35 for 0.17.");
+      "lies above the separable one everywhere; for alpha 1 at 75 degrees it is 0.26 for 0.17.");
   for (const float alpha : {0.4f, 1.0f}) {
     plot.series.push_back(over_angle(with_alpha("correlated ", alpha), [&](vec3 w) {
       return g2_correlated(Ggx{alpha}, w, {-w.x, 0.0f, w.z});
@@ -109,8 +109,8 @@ template <class F>
   Plot plot = microfacet_plot(
       "Thesis equation 6: what rough mirrors give back", "albedo of facets that reflect everything",
       "A logarithmic axis. The right curves stay below 1. As printed, the surface gives back a "
-      "quarter of the light at the normal and ever more towards the rim, for alpha 0.1 more than "
-      "1 beyond 76 degrees and ten times what arrives at 89.");
+      "quarter of the light at the normal and ever more towards the rim: for alpha 0.1 more than "
+      "all of it beyond 76 degrees, and four times as much as arrives at 89.");
   plot.log_y = true;
   for (const float alpha : {0.1f, 0.3f})
     for (const char* wrong : {"none", "printed"}) {

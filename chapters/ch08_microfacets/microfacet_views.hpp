@@ -63,9 +63,12 @@ inline const FarLamp row_lamp{normalize(vec3(0.0f, 1.0f, -1.0f)), radians(5.0f),
 // [row-estimator]
 
 /// Writes the picture of a view in passes, so that one can watch.
+/// @throws InputError  the furnace as printed: its peaks lie where the quadrature does not look
 inline void write_microfacet_view(const MicrofacetViewOptions& show, const RenderOptions& picture,
                                   const std::filesystem::path& out,
                                   const std::atomic<bool>& cancel) {
+  if (show.view == "furnace" && show.brdf.wrong == "printed")
+    throw InputError("--wrong: printed is seen in --view spheres, and in --plot printed");
   if (show.view != "room") {
     render_to_file(row_estimator(show), row_camera(), picture, out, cancel);
     return;

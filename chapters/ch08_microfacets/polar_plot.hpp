@@ -40,7 +40,7 @@ class PolarDrawing {
   }
 
  private:
-  static constexpr double x_ = 295, y_ = 388, radius_ = 270;
+  static constexpr double x_ = 290, y_ = 388, radius_ = 260;
 
   /// The place at an angle from straight up, degrees, "x y".
   [[nodiscard]] static std::string at(double degrees, double radius) {
@@ -70,8 +70,9 @@ class PolarDrawing {
   [[nodiscard]] std::string words() const {
     std::string texts = text("12 29", " class=\"title\"", escape_xml(plot_.title));
     for (int degrees = -60; degrees <= 60; degrees += 30)
-      texts += text(at(degrees, 1.07), " class=\"quiet\" text-anchor=\"middle\"",
-                    std::to_string(std::abs(degrees)) + "\u00b0");
+      if (degrees != -plot_.wo_degrees)
+        texts += text(at(degrees, 1.07), " class=\"quiet\" text-anchor=\"middle\"",
+                      std::to_string(std::abs(degrees)) + "\u00b0");
     return texts + text(svg_number(x_) + " 420", " class=\"quiet\" text-anchor=\"middle\"",
                         escape_xml(plot_.note));
   }
@@ -101,7 +102,7 @@ class PolarDrawing {
     const double a = -plot_.wo_degrees;
     return "<path class=\"axis\" d=\"M" + at(a, 0) + "L" + at(a, 0.98) + "M" + at(a - 2, 0.93) +
            "L" + at(a, 0.98) + "L" + at(a + 2, 0.93) + "\"/>\n" +
-           text(at(a + (a > -60 ? 5 : 7), 0.86), " class=\"quiet\" text-anchor=\"middle\"", "wo");
+           text(at(a, 1.07), " text-anchor=\"middle\"", "wo");
   }
 
   const PolarPlot& plot_;
