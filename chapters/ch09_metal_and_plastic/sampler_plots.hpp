@@ -9,10 +9,12 @@
 #include <vector>
 
 #include "ch04_monte_carlo/density_plots.hpp"
+#include "ch04_monte_carlo/pcg32.hpp"
 #include "ch08_microfacets/albedo.hpp"
 #include "ch09_metal_and_plastic/mistakes.hpp"
 #include "common/plot.hpp"
 #include "common/testkit/sampler_test.hpp"
+#include "common/testkit/statistics.hpp"
 
 namespace lt {
 

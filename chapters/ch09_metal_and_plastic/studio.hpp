@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 #include "ch05_rendering_equation/traceable.hpp"
 #include "ch08_microfacets/ball_row.hpp"
@@ -15,7 +16,7 @@ namespace lt {
 struct Sky {
   Rgb zenith{0.10f, 0.22f, 0.50f};   ///< W/(m^2 sr), like the rest
   Rgb horizon{0.70f, 0.68f, 0.66f};  ///< seen from above it
-  Rgb ground{0.20f, 0.17f, 0.14f};   ///< just below it
+  Rgb ground{0.20f, 0.17f, 0.14f};   ///< at the horizon
   Rgb nadir{0.10f, 0.08f, 0.06f};    ///< straight down
   Rgb lamp{6.0f, 5.5f, 5.0f};
   vec3 lamp_direction = normalize(vec3(-0.5f, 0.8f, -0.7f));  ///< towards its middle, world

@@ -17,7 +17,7 @@ std::string complaint_about_normals(float alpha, vec3 wo, int samples) {
   Pcg32 random(1);
   const auto draw = [&] { return std::optional(Normals::sample(ggx, wo, random.next_vec2())); };
   const auto pdf = [&](vec3 h) { return double{Normals::pdf(ggx, wo, h)}; };
-  // From near the horizon, facets just beyond the vertical show their backs: the quadrature sees
+  // From near the horizon, facets little beyond the vertical show their backs: the quadrature sees
   // where that begins only in narrow bins.
   const int finer = wo.z < 0.05f ? 4 : 1;
   const DirectionBins bins(24 * finer, 16 * finer, RowSpacing::equal_angle);
