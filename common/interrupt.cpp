@@ -2,6 +2,8 @@
 
 #include <csignal>
 
+#include "common/command_line.hpp"
+
 namespace lt {
 namespace {
 
@@ -23,6 +25,13 @@ const std::atomic<bool>& interrupted() {
   }();
   (void)is_installed;
   return flag;
+}
+
+int run_interruptible_program(const std::string& program,
+                              const std::function<void(const std::atomic<bool>& cancel)>& body) {
+  const std::atomic<bool>& cancel = interrupted();
+  const int code = run_program(program, [&] { body(cancel); });
+  return code == 0 && cancel ? interrupted_exit_code : code;
 }
 
 }  // namespace lt

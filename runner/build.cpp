@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "common/files.hpp"
+#include "common/parallel.hpp"
 #include "runner/pattern.hpp"
 #include "runner/terminal.hpp"
 #include "runner/text.hpp"
@@ -107,7 +108,7 @@ std::vector<std::string> build_command(const fs::path& binary) {
           "--config",
           "Release",
           "--parallel",
-          std::to_string(processor_count())};
+          std::to_string(thread_count(0))};
 }
 
 void append(std::vector<std::string>& words, const std::vector<std::string>& more) {

@@ -54,9 +54,6 @@ void catch_interrupts();
 /// True once after each Ctrl-C; the calls above leave that for the next who asks.
 [[nodiscard]] bool was_interrupted();
 
-/// The processors of this machine, at least 1.
-[[nodiscard]] int processor_count();
-
 /// While it lives, another FileLock on the same path waits.
 class FileLock {
  public:

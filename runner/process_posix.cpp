@@ -15,7 +15,6 @@
 #include <cstring>
 #include <mutex>
 #include <sstream>
-#include <thread>
 
 #include "common/error.hpp"
 #include "runner/process.hpp"
@@ -183,10 +182,6 @@ void catch_interrupts() {
 
 bool was_interrupted() {
   return is_interrupted.exchange(false);
-}
-
-int processor_count() {
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 FileLock::FileLock(const std::filesystem::path& path) {

@@ -11,7 +11,6 @@
 #include <map>
 #include <memory>
 #include <system_error>
-#include <thread>
 
 #include "common/error.hpp"
 #include "runner/process.hpp"
@@ -216,10 +215,6 @@ void catch_interrupts() {
 
 bool was_interrupted() {
   return is_interrupted.exchange(false);
-}
-
-int processor_count() {
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 FileLock::FileLock(const std::filesystem::path& path) {

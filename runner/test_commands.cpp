@@ -3,6 +3,7 @@
 
 #include "common/error.hpp"
 #include "common/files.hpp"
+#include "common/parallel.hpp"
 #include "runner/build.hpp"
 #include "runner/commands.hpp"
 #include "runner/process.hpp"
@@ -31,7 +32,7 @@ int test_command(const Home& home, Arguments& arguments) {
                                    "--output-junit",
                                    junit.string(),
                                    "-j",
-                                   std::to_string(processor_count())};
+                                   std::to_string(thread_count(0))};
   command.insert(command.end(), for_ctest.begin(), for_ctest.end());
   const ProcessResult result = run_visibly(command);
   if (!fs::exists(junit)) throw OutputError("ctest did not run: see above");

@@ -102,6 +102,7 @@ TEST_CASE("includes: an exercise sees its api and the kit only") {
   CHECK(found_with(folder + "solution.cpp", "\"common/testkit/exercise.hpp\"").size() == 1);
   CHECK(found_with(folder + "solution.cpp", "\"common/testkit/statistics.hpp\"").size() == 1);
   CHECK(found_with(folder + "test.cpp", "\"common/testkit/exercise.hpp\"").empty());
+  CHECK(found_with(folder + "test.cpp", "\"common/testkit/hemisphere.hpp\"").empty());
   CHECK(found_with(folder + "test.cpp", "\"common/testkit/statistics.hpp\"").empty());
   CHECK(found_with("runner/tests/data/" + folder + "test.cpp", "\"api.hpp\"").empty());
 }

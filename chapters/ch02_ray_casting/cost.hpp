@@ -2,11 +2,9 @@
 /// What a search costs, measured.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <ctime>
 #include <random>
 #include <string>
 #include <vector>
@@ -14,6 +12,7 @@
 #include "ch02_ray_casting/mistakes.hpp"
 #include "ch02_ray_casting/surface_point.hpp"
 #include "ch02_ray_casting/three_sphere_room.hpp"
+#include "common/timing.hpp"
 
 namespace lt {
 
@@ -55,27 +54,17 @@ struct Costs {
   return rays;
 }
 
-// [time-per-ray]
-/// Processor time of one `search(ray)`, nanoseconds: the best of five runs, since whatever else the
-/// machine does can only add.
+/// Processor time of one `search(ray)`, nanoseconds.
 /// @param count  how many searches make a run; `rays` are taken in turns
 template <class Search>
 [[nodiscard]] double time_per_ray(const std::vector<Ray>& rays, int count, const Search& search) {
-  double best = infinity;
-  for (int run = 0; run < 5; ++run) {
-    double sum = 0;  // asked for below, so that no compiler leaves the work out
-    std::size_t next = 0;
-    const std::clock_t start = std::clock();
-    for (int i = 0; i < count; ++i) {
-      if (const auto hit = search(rays[next])) sum += hit->t;
-      if (++next == rays.size()) next = 0;
-    }
-    const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    if (sum >= 0) best = std::min(best, 1e9 * seconds / count);
-  }
-  return best;
+  std::size_t next = 0;
+  return best_nanoseconds(count, [&](int) {
+    const auto hit = search(rays[next]);
+    if (++next == rays.size()) next = 0;
+    return hit ? hit->t : 0.0f;
+  });
 }
-// [time-per-ray]
 
 /// Measures on this machine; takes some seconds.
 [[nodiscard]] inline Costs measure_costs() {

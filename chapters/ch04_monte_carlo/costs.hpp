@@ -2,36 +2,15 @@
 /// What random numbers cost, measured.
 #pragma once
 
-#include <algorithm>
 #include <cstdio>
-#include <ctime>
-#include <limits>
 #include <random>
 #include <string>
 
 #include "ch04_monte_carlo/streams.hpp"
 #include "common/testkit/statistics.hpp"
+#include "common/timing.hpp"
 
 namespace lt {
-
-// [nanoseconds]
-/// Processor time of one `draw(i)`, nanoseconds: the best of five runs, since whatever else the
-/// machine does can only add.
-/// @param draw  called with 0, 1, 2, ... count - 1, returns a number
-template <class Draw>
-[[nodiscard]] double nanoseconds(int count, const Draw& draw) {
-  double best = std::numeric_limits<double>::infinity();
-  for (int run = 0; run < 5; ++run) {
-    double sum = 0;  // asked for below, so that no compiler leaves the work out
-    const std::clock_t start = std::clock();
-    for (int i = 0; i < count; ++i)
-      sum += draw(i);
-    const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    if (sum >= 0) best = std::min(best, 1e9 * seconds / count);
-  }
-  return best;
-}
-// [nanoseconds]
 
 /// Measures on this machine; takes some seconds.
 [[nodiscard]] inline std::string cost_table() {
@@ -57,11 +36,12 @@ template <class Draw>
     std::snprintf(text, sizeof text, "%-34s%8.2f   %4zu bytes\n", name, found, bytes);
     table += text;
   };
-  say("Pcg32, a number", nanoseconds(many, next), sizeof pcg);
-  say("std::mt19937, a number", nanoseconds(many, next_of_twister), sizeof twister);
-  say("stream_for() and its first number", nanoseconds(many, first), sizeof pcg);
-  say("std::mt19937 seeded, first number", nanoseconds(100'000, first_of_twister), sizeof twister);
-  say("RunningMean::add()", nanoseconds(many, add), sizeof mean);
+  say("Pcg32, a number", best_nanoseconds(many, next), sizeof pcg);
+  say("std::mt19937, a number", best_nanoseconds(many, next_of_twister), sizeof twister);
+  say("stream_for() and its first number", best_nanoseconds(many, first), sizeof pcg);
+  say("std::mt19937 seeded, first number", best_nanoseconds(100'000, first_of_twister),
+      sizeof twister);
+  say("RunningMean::add()", best_nanoseconds(many, add), sizeof mean);
   return table;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -94,7 +95,7 @@ template <Density P>
   plot.series = {histogram(samples, -1, 1, 30),
                  curve(
                      "(2/\u03c0) \u221a(1 \u2212 x\u00b2)",
-                     [](double x) { return 2 / 3.14159265358979323846 * semicircle(x); }, -1, 1)};
+                     [](double x) { return 2 / std::numbers::pi * semicircle(x); }, -1, 1)};
   return plot;
 }
 

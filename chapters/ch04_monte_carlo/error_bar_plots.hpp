@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -83,8 +84,7 @@ inline constexpr double pen_up = std::numeric_limits<double>::quiet_NaN();
     low.y.push_back(interval.low);
     high.y.push_back(interval.high);
   }
-  constexpr double pi_itself = 3.14159265358979323846;
-  const Series truth{"true value", {16.0, 1.0 * darts}, {pi_itself, pi_itself}};
+  const Series truth{"true value", {16.0, 1.0 * darts}, {std::numbers::pi, std::numbers::pi}};
   Plot plot;
   plot.title = "Pi by darts";
   plot.x_label = "darts";

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -45,7 +46,7 @@ struct NamedEstimator {
             const auto side = static_cast<int>(std::sqrt(n));
             return estimate_pi(throw_stratified_darts(side, random)).mean();
           },
-          3.14159265358979323846};
+          std::numbers::pi};
 }
 
 /// A slope with its error, as people write it: "slope -0.501 +- 0.004".

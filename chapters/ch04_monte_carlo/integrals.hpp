@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 namespace lt {
@@ -19,7 +20,7 @@ struct KnownIntegral {
 
 /// A smooth bump.
 [[nodiscard]] inline KnownIntegral sine() {
-  return {"sine", [](double x) { return std::sin(x); }, 0, 3.14159265358979323846, 2};
+  return {"sine", [](double x) { return std::sin(x); }, 0, std::numbers::pi, 2};
 }
 
 /// The thesis' formula 12 is tried on it.

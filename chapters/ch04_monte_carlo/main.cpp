@@ -36,6 +36,7 @@ bool parse(Options& options, int argc, char** argv) {
                   "whose random numbers a pixel gets; all but the first are mistakes");
   lt::add_sampling_options(line, options.picture);
   lt::add_picture_options(line, options.picture);
+  lt::restrict_chance_options(line);
   return line.parse(argc, argv);
 }
 

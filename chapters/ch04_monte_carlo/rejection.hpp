@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 #include "ch04_monte_carlo/pcg32.hpp"
 
@@ -40,7 +41,7 @@ template <class Function>
 /// Share of the half disk's area to the left of x: no formula gives x back from it.
 /// @param x  -1 to 1
 [[nodiscard]] inline double semicircle_cdf(double x) {
-  return 0.5 + (x * semicircle(x) + std::asin(x)) / 3.14159265358979323846;
+  return 0.5 + (x * semicircle(x) + std::asin(x)) / std::numbers::pi;
 }
 // [semicircle]
 

@@ -11,7 +11,7 @@
 #include "ch04_monte_carlo/mistake_plots.hpp"
 #include "ch04_monte_carlo/photons.hpp"
 #include "ch04_monte_carlo/tables.hpp"
-#include "common/error.hpp"
+#include "common/command_line.hpp"
 
 namespace lt {
 
@@ -44,6 +44,24 @@ struct ChanceOptions {
   PhotonOptions photons;  ///< size, seed, threads and samples per pixel
 };
 
+/// Says which views, plots and tables use which options; these must have been added.
+inline void restrict_chance_options(CommandLine& line) {
+  for (const char* of_pictures : {"--view", "--streams", "--stratified", "--spp", "--threads"})
+    for (const char* instead : {"--plot", "--table"})
+      line.only_for(of_pictures, instead, {"none"});
+  for (const char* of_files : {"--plot", "--out"})
+    line.only_for(of_files, "--table", {"none"});
+  line.only_for("--samples", "--plot",
+                {"none", "pi", "inversion", "exponential", "rejection", "tabulated"});
+  line.only_for("--samples", "--table", {"none", "integrals", "mistakes"});
+  line.only_for("--samples", "--view", {"darts", "dots"});
+  line.only_for("--seed", "--table", {"none", "integrals", "errors", "mistakes"});
+  line.only_for("--stratified", "--view", {"darts", "evening", "strip"});
+  line.only_for("--spp", "--view", {"evening"});  // the strip has its own
+  for (const char* of_photons : {"--streams", "--threads"})
+    line.only_for(of_photons, "--view", {"evening", "strip"});
+}
+
 /// The darts that `options` ask for.
 [[nodiscard]] inline std::vector<vec2> darts_for(const ChanceOptions& options) {
   Pcg32 random(options.photons.seed);
@@ -61,14 +79,8 @@ struct ChanceOptions {
 }
 
 /// The picture that `options` ask for.
-/// @throws InputError  an option is for another view
 [[nodiscard]] inline Image make_picture(const ChanceOptions& options) {
   const std::string& view = options.view;
-  const bool counts_photons = view == "evening" || view == "strip";
-  if (options.streams != "independent" && !counts_photons)
-    throw InputError("--streams is for the views evening and strip; leave it out for " + view);
-  if (options.is_stratified && view == "dots")
-    throw InputError("--stratified is not for the view dots; leave it out");
   PhotonOptions photons = options.photons;
   if (view == "darts") return dart_picture(darts_for(options), photons.width, photons.height);
   Pcg32 random(photons.seed);

@@ -77,7 +77,8 @@ class Film {
 struct FilmSummary {
   std::int64_t least = std::numeric_limits<std::int64_t>::max();  ///< samples in a pixel
   std::int64_t most = 0;                                          ///< samples in a pixel
-  std::int64_t bad = 0;            ///< samples of all pixels that were negative, infinite or NaN
+  std::int64_t total = 0;                                         ///< samples in all pixels
+  std::int64_t bad = 0;            ///< samples in all pixels that were negative, infinite or NaN
   std::optional<ivec2> first_bad;  ///< the first pixel, row by row, that has one
 };
 
@@ -88,6 +89,7 @@ struct FilmSummary {
       const FilmPixel& pixel = film.at(x, y);
       found.least = std::min(found.least, pixel.count);
       found.most = std::max(found.most, pixel.count);
+      found.total += pixel.count;
       found.bad += pixel.bad;
       if (pixel.bad > 0 && !found.first_bad) found.first_bad = ivec2(x, y);
     }

@@ -26,6 +26,7 @@ bool parse(Options& options, int argc, char** argv) {
   line.add_int("--texels", show.texels, 16, 4096, "side of the walls' textures");
   lt::add_picture_options(line, options.picture);
   lt::add_sampling_options(line, options.picture);
+  lt::restrict_lit_options(line);
   return line.parse(argc, argv);
 }
 
@@ -49,10 +50,8 @@ void run(const Options& options, const std::atomic<bool>& cancel) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::atomic<bool>& cancel = lt::interrupted();
-  const int code = lt::run_program("ch05_rendering_equation", [&] {
+  return lt::run_interruptible_program("ch05_rendering_equation", [&](const auto& cancel) {
     Options options;
     if (parse(options, argc, argv)) run(options, cancel);
   });
-  return code == 0 && cancel ? lt::interrupted_exit_code : code;
 }

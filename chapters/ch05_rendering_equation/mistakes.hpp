@@ -69,19 +69,7 @@ template <Traceable Scene>
 template <Traceable Scene, Scattering Model>
 [[nodiscard]] Rgb radiance_black_end(const Scene& scene, const Model& bsdf_at, const Ray& ray,
                                      int depth, Pcg32& random) {
-  if (depth == 0) return Rgb(0.0f);
-  const auto hit = closest_hit(scene, ray);
-  if (!hit) return background(scene, ray.direction);
-  const Surface surface = surface_at(scene, ray, *hit);
-
-  const vec3 u = random.next_vec3();
-  const vec3 wo = -ray.direction;
-  const auto sample = bsdf_at(surface).sample(surface.frame.to_local(wo), u);
-  if (!sample) return emitted(surface);
-  const auto next = next_ray(surface, wo, sample->wi);
-  if (!next) return emitted(surface);
-  return emitted(surface) +
-         sample->weight * radiance_black_end(scene, bsdf_at, *next, depth - 1, random);
+  return depth == 0 ? Rgb(0.0f) : radiance_recursive(scene, bsdf_at, ray, depth - 1, random);
 }
 // [black-end]
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <iostream>
 
@@ -12,8 +11,19 @@
 #include "ch05_rendering_equation/views.hpp"
 #include "common/command_line.hpp"
 #include "common/files.hpp"
+#include "common/timing.hpp"
 
 namespace lt {
+
+/// Says which views and plots use which options; these must have been added.
+inline void restrict_lit_options(CommandLine& line) {
+  for (const char* of_pictures : {"--view", "--camera", "--spp"})
+    line.only_for(of_pictures, "--plot", {"none"});
+  for (const char* of_room : {"--depth", "--wrong", "--texels", "--threads"})
+    line.only_for(of_room, "--plot", {"none", "noise"});
+  for (const char* of_far_and_near : {"--camera", "--spp"})  // the strip has its own
+    line.only_for(of_far_and_near, "--view", {"room"});
+}
 
 /// The picture's seed and threads, for render().
 [[nodiscard]] inline SampleRange range_for(const RenderOptions& picture) {
@@ -35,12 +45,9 @@ inline void print_pass(const Film& before, const Film& film) {
 }
 
 /// One line: how many paths, and how many in a second of processor time.
-inline void print_speed(const Film& film, std::clock_t start) {
-  double paths = 0;
-  for (int y = 0; y < film.height(); ++y)
-    for (int x = 0; x < film.width(); ++x)
-      paths += static_cast<double>(film.at(x, y).count);
-  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+inline void print_speed(const Film& film, const ProcessorTimer& timer) {
+  const auto paths = static_cast<double>(summary(film).total);
+  const double seconds = timer.seconds();
   char text[120];
   std::snprintf(text, sizeof text,
                 "%.2f million paths in %.1f s of processor time: %.2f million a second",
@@ -61,13 +68,13 @@ void render_to_file(const Estimator& estimate, const Camera& camera, const Rende
   save_image(out, developed(film));  // a place that cannot be written is told before the work
   Progress progress("room", std::int64_t{width} * height * spp);
 
-  const std::clock_t start = std::clock();
+  const ProcessorTimer timer;
   const auto after_pass = [&](const Film& before, const Film& so_far) {
     save_image(out, developed(so_far));
     print_pass(before, so_far);
   };
   render_in_passes(film, camera, estimate, spp, range_for(picture), cancel, after_pass, &progress);
-  print_speed(film, start);
+  print_speed(film, timer);
   require_good_samples(film);
 }
 // [render-to-file]

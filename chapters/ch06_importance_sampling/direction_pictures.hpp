@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ch01_pixels/image.hpp"
+#include "ch06_importance_sampling/diverging_color.hpp"
 #include "ch06_importance_sampling/samplers.hpp"
 
 namespace lt {
@@ -66,9 +67,7 @@ inline void draw_dome(Image& image, int left, int width, const NamedSampler& sam
 /// Grey where a count is as expected, orange where there are too many, blue where too few; full
 /// colour at 5 standard deviations.
 [[nodiscard]] inline Rgb pull_color(double pull) {
-  const auto part = static_cast<float>(std::clamp(pull / 5, -1.0, 1.0));
-  const Rgb full = part > 0 ? Rgb(1.0f, 0.38f, 0.03f) : Rgb(0.03f, 0.25f, 1.0f);
-  return glm::mix(Rgb(0.18f), full, std::abs(part));
+  return diverging_color(pull / 5);
 }
 // [pull]
 

@@ -4,11 +4,11 @@
 
 #include <array>
 #include <cstdint>
-#include <ctime>
 #include <string>
 
 #include "ch05_rendering_equation/progressive.hpp"
 #include "common/testkit/statistics.hpp"
+#include "common/timing.hpp"
 
 namespace lt {
 
@@ -33,6 +33,7 @@ struct SampleCost {
 template <RadianceEstimator Estimator>
 [[nodiscard]] Image pixel_variances(const Camera& camera, const Estimator& estimate, int width,
                                     int height, const SampleRange& range) {
+  const ivec2 size(width, height);
   Image variances(width, height);
   const auto work = [&](const Tile& tile) {
     for (int y = tile.y0; y < tile.y1; ++y)
@@ -40,10 +41,7 @@ template <RadianceEstimator Estimator>
         // [one-variance]
         std::array<RunningMean, 3> colors;
         for (int i = range.first; i < range.last; ++i) {
-          Pcg32 random = stream_for(range.seed, x, y, i);
-          const vec2 within = random.next_vec2();
-          const Ray ray = camera_ray(camera, vec2(x, y) + within, width, height);
-          const Rgb sample = estimate(ray, random);
+          const Rgb sample = take_sample(camera, estimate, size, {x, y}, range.seed, i);
           for (int c = 0; c < 3; ++c)
             colors[c].add(sample[c]);
         }
@@ -72,9 +70,9 @@ template <RadianceEstimator Estimator>
 template <RadianceEstimator Estimator>
 [[nodiscard]] SampleCost measure_cost(const Camera& camera, const Estimator& estimate, int width,
                                       int height, const SampleRange& range) {
-  const std::clock_t start = std::clock();
+  const ProcessorTimer timer;
   const Image variances = pixel_variances(camera, estimate, width, height, range);
-  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  const double seconds = timer.seconds();
   const double samples = static_cast<double>(width) * height * (range.last - range.first);
   return {mean_of(variances), seconds / samples};
 }

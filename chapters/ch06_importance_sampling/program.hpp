@@ -24,6 +24,25 @@ struct SamplingOptions {
   int texels = 256;             ///< side of the walls' textures
 };
 
+/// Says which views, plots and tables use which options; these must have been added.
+inline void restrict_sampling_options(CommandLine& line) {
+  for (const char* of_pictures :
+       {"--view", "--camera", "--sampler", "--uniform-spp", "--directions"})
+    for (const char* instead : {"--plot", "--table"})
+      line.only_for(of_pictures, instead, {"none"});
+  for (const char* of_files : {"--plot", "--out", "--threads"})
+    line.only_for(of_files, "--table", {"none"});
+  line.only_for("--spp", "--plot", {"none"});
+  for (const char* of_room : {"--wrong", "--layout", "--depth", "--texels", "--threads"})
+    line.only_for(of_room, "--plot", {"none", "noise"});
+  for (const char* of_room : {"--camera", "--layout", "--depth", "--texels", "--spp", "--threads"})
+    line.only_for(of_room, "--view", {"uniform", "cosine", "pair", "gain"});
+  line.only_for("--uniform-spp", "--view", {"pair", "gain"});
+  line.only_for("--directions", "--view", {"directions", "bins"});
+  line.only_for("--sampler", "--view", {"bins"});
+  line.only_for("--sampler", "--wrong", {"none"});  // each mistake is one sampler's
+}
+
 [[nodiscard]] inline Camera camera_named(const std::string& name) {
   if (name == "close") return close_up_camera();
   return name == "far" ? room_camera_far() : room_camera_near();

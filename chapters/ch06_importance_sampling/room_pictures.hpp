@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "ch06_importance_sampling/diverging_color.hpp"
 #include "ch06_importance_sampling/efficiency.hpp"
 #include "ch06_importance_sampling/sampled_room.hpp"
 
@@ -66,9 +67,7 @@ struct PairOptions {
 /// more so; full colour at a factor of 3. Black where there is no noise.
 [[nodiscard]] inline Rgb gain_color(double gain) {
   if (gain == 0) return Rgb(0.0f);
-  const auto part = static_cast<float>(std::clamp(std::log(gain) / std::log(3.0), -1.0, 1.0));
-  const Rgb full = part > 0 ? Rgb(1.0f, 0.38f, 0.03f) : Rgb(0.03f, 0.25f, 1.0f);
-  return glm::mix(Rgb(0.18f), full, std::abs(part));
+  return diverging_color(std::log(gain) / std::log(3.0));
 }
 // [gain]
 

@@ -134,9 +134,9 @@ template <class F>
   Plot plot =
       angle_plot("Schlick's approximation minus the exact share",
                  "Differences over the angle. For glass from outside the approximation is "
-                 "too low by up to 0.03 and then a little too high; for water the same. For "
-                 "diamond it is too high by up to 0.07, for the thesis' gold by up to 0.03, "
-                 "because it cannot dip before it rises.");
+                 "too low by up to 0.02 and then too high by up to 0.04; for water and diamond "
+                 "likewise, up to 0.06 and 0.08. For the thesis' gold it is too high by up to "
+                 "0.02, because it cannot dip before it rises.");
   plot.y_label = "Schlick minus exact";
   for (const auto& [name, ior] : clear_media)
     plot.series.push_back(over_angles(name, [n = ior](double c) {

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <numbers>
 #include <numeric>
+#include <sstream>
 
 #include "common/error.hpp"
 
@@ -29,6 +30,18 @@ void diagnose(bool is_right, std::string_view tag, const std::string& seen) {
 
 void measured(const std::string& text) {
   std::cout << "[measured] " << text << std::endl;
+}
+
+std::string text_of(double x, int digits) {
+  std::ostringstream text;
+  text.precision(digits);
+  text << (std::isnan(x) ? std::abs(x) : x);  // "-nan" says no more than "nan"
+  return text.str();
+}
+
+std::string text_of_u(double u) {
+  if (u == 1 - 0x1p-53) return "1 - 2^-53";
+  return u == 1 - 0x1p-24 ? "1 - 2^-24" : text_of(u);
 }
 
 std::vector<std::uint64_t> seeds() {

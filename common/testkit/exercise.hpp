@@ -27,6 +27,14 @@ void diagnose(bool is_right, std::string_view tag, const std::string& seen);
 /// Prints "[measured] text": something true and interesting that the checked code showed.
 void measured(const std::string& text);
 
+/// A number for `seen`.
+/// @param digits  how many at most
+[[nodiscard]] std::string text_of(double x, int digits = 6);
+
+/// The same in six digits, but the largest double and the largest float below 1 by their names:
+/// "1 - 2^-53" and "1 - 2^-24".
+[[nodiscard]] std::string text_of_u(double u);
+
 /// Seeds that this run goes through: one normally, many under the fairness check
 /// (environment variable LT_FAIR_SEEDS). Every test case that draws random input loops over them.
 [[nodiscard]] std::vector<std::uint64_t> seeds();

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <numbers>
 #include <sstream>
 
 namespace lt {
 
 namespace {
 
-constexpr double exact_pi = 3.14159265358979323846;
+constexpr double exact_pi = std::numbers::pi;
 
 // A part of a bin.
 struct Cell {

@@ -1,6 +1,7 @@
 #include "common/testkit/sampler_test.hpp"
 
 #include <limits>
+#include <numbers>
 
 #include "common/testkit/catch.hpp"
 #include "common/testkit/exercise.hpp"
@@ -9,7 +10,7 @@ using namespace lt;
 
 namespace {
 
-constexpr double exact_pi = 3.14159265358979323846;
+constexpr double exact_pi = std::numbers::pi;
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 // Uniform numbers in the form that triple_complaint() asks for.

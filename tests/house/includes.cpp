@@ -76,8 +76,9 @@ std::optional<std::string> wrong_in_chapter(const std::string& file, const std::
 
 std::optional<std::string> wrong_in_exercise(const std::string& file, const std::string& name) {
   if (name == "api.hpp" || name == "common/testkit/not_written.hpp") return std::nullopt;
-  const bool is_kit =
-      name == "common/testkit/exercise.hpp" || name == "common/testkit/statistics.hpp";
+  const bool is_kit = name == "common/testkit/exercise.hpp" ||
+                      name == "common/testkit/hemisphere.hpp" ||
+                      name == "common/testkit/statistics.hpp";
   if (is_kit && file.ends_with("/test.cpp")) return std::nullopt;
   return "an exercise includes its api.hpp and its test the kit, nothing else of ours";
 }

@@ -1,5 +1,7 @@
 #include "ch02_ray_casting/three_sphere_room.hpp"
 
+#include <numbers>
+
 #include "ch02_ray_casting/surface_point.hpp"
 #include "ch02_ray_casting/tests/reference.hpp"
 #include "common/testkit/catch.hpp"
@@ -57,7 +59,7 @@ TEST_CASE("room: spheres and ground have the thesis' numbers") {
 
 TEST_CASE("room: the cameras have the thesis' numbers") {
   for (const Camera& camera : {room_camera_near(), room_camera_far()}) {
-    CHECK(camera.field_of_view == Approx(0.2 * 2 * 3.14159265358979).epsilon(1e-6));
+    CHECK(camera.field_of_view == Approx(0.2 * 2 * std::numbers::pi).epsilon(1e-6));
     CHECK(camera.forward == vec3(0, 0, 1));
     CHECK(camera.up == vec3(0, 1, 0));
   }

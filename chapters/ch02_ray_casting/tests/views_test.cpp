@@ -1,5 +1,7 @@
 #include "ch02_ray_casting/views.hpp"
 
+#include <numbers>
+
 #include "ch02_ray_casting/tests/reference.hpp"
 #include "common/testkit/catch.hpp"
 
@@ -89,7 +91,7 @@ TEST_CASE("views: a fifth of the points of the room hit themselves and none with
 
 TEST_CASE("views: the sphere at 10 km is as large as it should be and only in the stable form") {
   // A disc of radius 1 in a picture 2.8 wide and 2.24 high: pi / 6.272 of the pixels.
-  const double expected = 3.14159265 / (2.8 * 2.24);
+  const double expected = std::numbers::pi / (2.8 * 2.24);
   CHECK(1 - share_of(picture("far", 280, 224), nothing) == Approx(expected).margin(0.01));
   CHECK(1 - share_of(picture("far-naive", 280, 224), nothing) > expected + 0.1);
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <set>
 #include <vector>
@@ -152,8 +153,8 @@ TEST_CASE("pits: as many as asked for and round") {
     covered.add(pit > 0.0);
     depth.add(pit);
   }
-  CHECK(z_test(covered, share * 3.14159265358979 * area).agrees(0.002));
-  CHECK(z_test(depth, share * 3.14159265358979 * cube / 0.8).agrees(0.002));
+  CHECK(z_test(covered, share * std::numbers::pi * area).agrees(0.002));
+  CHECK(z_test(depth, share * std::numbers::pi * cube / 0.8).agrees(0.002));
 }
 
 TEST_CASE("noise and fbm and pits: opposite edges fit together") {

@@ -1,5 +1,6 @@
 // From rays to the chapter's pictures.
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "ch03_surfaces/views.hpp"
@@ -49,8 +50,9 @@ TEST_CASE("headlight: white straight on, darker aslant, half at its reach, white
 TEST_CASE("globe: with Greenwich in front the Gulf of Guinea is in the middle, tilted north-east") {
   const glm::quat rotation = globe_rotation(0.0f);
   const vec3 north_pole = rotate(rotation, {0, 1, 0});
-  CHECK(north_pole.x == Approx(std::sin(23.4 * 3.14159265 / 180)).epsilon(1e-4));  // to the right
-  CHECK(north_pole.y == Approx(std::cos(23.4 * 3.14159265 / 180)).epsilon(1e-4));
+  const double tilt = 23.4 * std::numbers::pi / 180;
+  CHECK(north_pole.x == Approx(std::sin(tilt)).epsilon(1e-4));  // to the right
+  CHECK(north_pole.y == Approx(std::cos(tilt)).epsilon(1e-4));
   CHECK(distance(rotate(rotation, {0, 0, -1}), vec3(0, 0, -1)) < 1e-6f);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <string_view>
 
@@ -43,7 +44,7 @@ double area_of(std::string_view name) {
   Image shares(1440, 720);
   for (const Outline& outline : world_outlines())
     if (outline.name == name || name == "all") fill(shares, outline);
-  const double texel = 3.14159265358979 / 720.0;  // radians, both ways
+  const double texel = std::numbers::pi / 720.0;  // radians, both ways
   double area = 0.0;
   for (int y = 0; y < shares.height(); ++y)
     for (int x = 0; x < shares.width(); ++x)

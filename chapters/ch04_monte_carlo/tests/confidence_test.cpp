@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "ch04_monte_carlo/error_bar_plots.hpp"
 #include "ch04_monte_carlo/mistakes.hpp"
@@ -71,9 +72,9 @@ TEST_CASE("running mean: values near a billion keep their variance, the naive fo
 TEST_CASE("pi: darts find it within their error") {
   Pcg32 random(1);
   const RunningMean samples = estimate_pi(throw_darts(1'000'000, random));
-  CHECK(z_test(samples, 3.14159265358979).agrees());
+  CHECK(z_test(samples, std::numbers::pi).agrees());
   // 0 or 4 with probability pi/4: variance pi (4 - pi).
-  CHECK(samples.variance() == Approx(3.14159265 * (4 - 3.14159265)).epsilon(0.01));
+  CHECK(samples.variance() == Approx(std::numbers::pi * (4 - std::numbers::pi)).epsilon(0.01));
 }
 
 TEST_CASE("p-values: uniform for the right sampler, near 0 for the wrong one") {

@@ -1,6 +1,7 @@
 #include "ch04_monte_carlo/densities.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "ch04_monte_carlo/density_plots.hpp"
@@ -114,7 +115,7 @@ TEST_CASE("rejection: x of darts below the semicircle have its distribution") {
   }
   CHECK(kolmogorov_smirnov(samples, semicircle_cdf).p_value > 1e-6);
   // A share of pi/4 sticks: 4/pi darts a sample, and so pi once more.
-  CHECK(z_test(darts, 4 / 3.14159265358979).agrees());
+  CHECK(z_test(darts, 4 / std::numbers::pi).agrees());
 }
 
 TEST_CASE("rejection: a box twice as high costs twice the darts and changes nothing else") {
@@ -133,5 +134,5 @@ TEST_CASE("rejection: the semicircle's cdf is its integral") {
   CHECK(semicircle_cdf(-1) == Approx(0).margin(1e-15));
   CHECK(semicircle_cdf(1) == Approx(1));
   const double part = integrate(semicircle, -1, 0.3, 1e-8);
-  CHECK(semicircle_cdf(0.3) == Approx(part * 2 / 3.14159265358979).epsilon(1e-6));
+  CHECK(semicircle_cdf(0.3) == Approx(part * 2 / std::numbers::pi).epsilon(1e-6));
 }

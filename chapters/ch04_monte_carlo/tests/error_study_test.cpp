@@ -1,6 +1,7 @@
 #include "ch04_monte_carlo/error_study.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "ch04_monte_carlo/error_plots.hpp"
 #include "common/testkit/catch.hpp"
@@ -9,7 +10,7 @@ using namespace lt;
 
 namespace {
 
-constexpr double pi_itself = 3.14159265358979323846;
+constexpr double pi_itself = std::numbers::pi;
 
 // Variance of the stratified estimate of the sine's integral over [0, pi]: for each part the width
 // times the integral of sin^2 (x/2 - sin(2x)/4) minus the square of that of sin (-cos).

@@ -1,6 +1,7 @@
 #include "ch04_monte_carlo/estimator.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "ch04_monte_carlo/densities.hpp"
 #include "ch04_monte_carlo/integrals.hpp"
@@ -35,8 +36,7 @@ TEST_CASE("estimator: its variance is (b - a) int f^2 - (int f)^2") {
   const KnownIntegral integral = sine();
   const RunningMean samples =
       estimate_uniform(integral.f, integral.a, integral.b, 1'000'000, random);
-  constexpr double pi_itself = 3.14159265358979323846;
-  CHECK(samples.variance() == Approx(pi_itself * pi_itself / 2 - 4).epsilon(0.01));
+  CHECK(samples.variance() == Approx(std::numbers::pi * std::numbers::pi / 2 - 4).epsilon(0.01));
 }
 
 TEST_CASE("estimator: ends in the wrong order turn the sign, as in the integral") {

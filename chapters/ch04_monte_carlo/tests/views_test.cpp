@@ -147,14 +147,3 @@ TEST_CASE("views: the printed tables say what is known") {
   CHECK(make_table("errors", 1000, 1).find("16384") != std::string::npos);
   CHECK(make_table("mistakes", 1000, 1).find("1.00000000") != std::string::npos);
 }
-
-TEST_CASE("views: an option for another view is refused") {
-  ChanceOptions options;
-  options.photons = small_photons(1);
-  options.streams = "same";
-  CHECK_THROWS_AS(make_picture(options), InputError);
-  options.streams = "independent";
-  options.view = "dots";
-  options.is_stratified = true;
-  CHECK_THROWS_AS(make_picture(options), InputError);
-}

@@ -71,6 +71,7 @@ TEST_CASE("film: the summary names the first pixel with a bad sample") {
   const FilmSummary found = summary(film);
   CHECK(found.least == 1);
   CHECK(found.most == 3);
+  CHECK(found.total == 4 * 3 + 3);
   CHECK(found.bad == 3);
   CHECK(found.first_bad == ivec2(3, 1));
   CHECK(complaint(film) ==

@@ -1,6 +1,9 @@
 // What each mistake does, in numbers; and which test would not have seen it.
 #include "ch05_rendering_equation/mistakes.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include "ch05_rendering_equation/furnace.hpp"
 #include "ch05_rendering_equation/tests/scenes.hpp"
 #include "common/testkit/catch.hpp"
@@ -10,7 +13,7 @@ using namespace lt::testing;
 
 namespace {
 
-constexpr double pi_exactly = 3.14159265358979323846;
+constexpr double pi_exactly = std::numbers::pi;
 const Ray towards_ball{{0.3f, 0.2f, -3.0f}, {0.0f, 0.0f, 1.0f}};
 
 // A ball of albedo 0.5 under a sky of 1: it shows 0.5.
@@ -71,8 +74,9 @@ TEST_CASE("mistakes: to end in black is to stop one event too early") {
   const TwoPlates plates{matt(Rgb(0.5f), Rgb(1.0f)), matt(Rgb(0.5f), Rgb(1.0f))};
   const Ray up{{0.0f, 0.5f, 0.0f}, {0.0f, 1.0f, 0.0f}};
   Pcg32 random(1);
-  CHECK(mistakes::radiance_black_end(plates, straight_up_at, up, 0, random) == Rgb(0.0f));
-  for (int depth = 1; depth <= 8; ++depth)
-    CHECK(mistakes::radiance_black_end(plates, straight_up_at, up, depth, random) ==
-          radiance_recursive(plates, straight_up_at, up, depth - 1, random));
+  for (int depth = 0; depth <= 8; ++depth) {
+    const float sum = 2.0f - std::ldexp(2.0f, -depth);
+    CHECK(mistakes::radiance_black_end(plates, straight_up_at, up, depth, random) == Rgb(sum));
+    CHECK(radiance_recursive(plates, straight_up_at, up, depth, random) == Rgb(1.0f + sum / 2.0f));
+  }
 }

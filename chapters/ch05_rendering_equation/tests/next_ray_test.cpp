@@ -1,3 +1,5 @@
+#include <numbers>
+
 #include "ch04_monte_carlo/pcg32.hpp"
 #include "ch05_rendering_equation/radiance.hpp"
 #include "ch05_rendering_equation/uniform_hemisphere.hpp"
@@ -68,5 +70,5 @@ TEST_CASE("next ray: no reflection off any bump ever enters the floor") {
   }
   // Two hemispheres with their axes at the angle theta share all but theta / pi. The axis is
   // uniform over the hemisphere: E[theta] = 1, the integral of theta sin(theta) over 0 to pi/2.
-  CHECK(refused / 100'000.0 == Approx(1 / 3.14159265).margin(0.01));
+  CHECK(refused / 100'000.0 == Approx(1 / std::numbers::pi).margin(0.01));
 }

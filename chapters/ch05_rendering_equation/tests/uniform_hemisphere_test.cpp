@@ -1,5 +1,6 @@
 #include "ch05_rendering_equation/uniform_hemisphere.hpp"
 
+#include <numbers>
 #include <vector>
 
 #include "ch04_monte_carlo/pcg32.hpp"
@@ -10,7 +11,7 @@ using namespace lt;
 
 namespace {
 
-constexpr double exact_pi = 3.14159265358979323846;
+constexpr double exact_pi = std::numbers::pi;
 constexpr float largest = 1.0f - 0x1p-24f;  // the largest number that unit_float() makes
 
 }  // namespace

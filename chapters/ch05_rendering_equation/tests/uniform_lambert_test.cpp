@@ -1,5 +1,6 @@
 #include "ch05_rendering_equation/uniform_lambert.hpp"
 
+#include <numbers>
 #include <vector>
 
 #include "ch04_monte_carlo/pcg32.hpp"
@@ -10,7 +11,7 @@ using namespace lt;
 
 namespace {
 
-constexpr double exact_pi = 3.14159265358979323846;
+constexpr double exact_pi = std::numbers::pi;
 const UniformLambert chalk{{0.5f, 0.8f, 0.2f}};
 const vec3 slanting = normalize(vec3(0.6f, -0.3f, 0.4f));
 

@@ -1,5 +1,7 @@
 #include "ch06_importance_sampling/cosine_hemisphere.hpp"
 
+#include <numbers>
+
 #include "ch04_monte_carlo/pcg32.hpp"
 #include "common/testkit/catch.hpp"
 #include "common/testkit/sampler_test.hpp"
@@ -39,7 +41,7 @@ TEST_CASE("disk: rings of equal area get equal shares") {
   for (int i = 0; i < 100'000; ++i) {
     const glm::dvec2 p = uniform_disk(random.next_vec2());
     squares.push_back(dot(p, p));
-    turns.push_back(0.5 + std::atan2(p.y, p.x) / (2 * 3.14159265358979323846));
+    turns.push_back(0.5 + std::atan2(p.y, p.x) / (2 * std::numbers::pi));
   }
   const auto even = [](double x) { return std::clamp(x, 0.0, 1.0); };
   CHECK(kolmogorov_smirnov(squares, even).p_value > 1e-6);
@@ -62,7 +64,7 @@ TEST_CASE("cosine hemisphere: it is the thesis' equation 18 with z for its y") {
   Pcg32 random(2);
   for (int i = 0; i < 1000; ++i) {
     const vec2 u = random.next_vec2();
-    const double phi = 2 * 3.14159265358979323846 * u.y;
+    const double phi = 2 * std::numbers::pi * u.y;
     const glm::dvec3 thesis(std::sqrt(u.x) * std::cos(phi), std::sqrt(1 - double{u.x}),
                             std::sqrt(u.x) * std::sin(phi));
     const vec3 w = cosine_hemisphere(u);
@@ -93,7 +95,7 @@ TEST_CASE("cosine hemisphere: mean of z is 2/3 and the squares share 1/2, 1/4, 1
 TEST_CASE("cosine hemisphere: its density integrates to one and is zero below the horizon") {
   CHECK(integrate_directions(pdf) == Approx(1).epsilon(1e-6));
   CHECK(cosine_hemisphere_pdf(-0.5f) == 0.0f);
-  CHECK(cosine_hemisphere_pdf(1.0f) == Approx(1 / 3.14159265358979323846));
+  CHECK(cosine_hemisphere_pdf(1.0f) == Approx(1 / std::numbers::pi));
 }
 
 TEST_CASE("cosine hemisphere: chi-square over bins of the sphere") {

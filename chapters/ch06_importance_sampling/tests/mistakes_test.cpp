@@ -1,5 +1,7 @@
 #include "ch06_importance_sampling/mistakes.hpp"
 
+#include <numbers>
+
 #include "ch05_rendering_equation/furnace.hpp"
 #include "ch05_rendering_equation/tests/scenes.hpp"
 #include "ch06_importance_sampling/samplers.hpp"
@@ -84,7 +86,7 @@ TEST_CASE("mistakes: without the root a furnace sees nothing and chi-square ever
   RunningMean z;
   for (int i = 0; i < 100'000; ++i)
     z.add(mistakes::cosine_hemisphere_without_root(random.next_vec2()).z);
-  CHECK(z_test(z, 3.14159265358979323846 / 4).agrees());
+  CHECK(z_test(z, std::numbers::pi / 4).agrees());
 }
 
 TEST_CASE("mistakes: chi-square finds nothing where nothing is wrong") {

@@ -159,6 +159,22 @@ TEST_CASE("microfacet: sample, eval and pdf belong together, for 9 angles and 5 
     }
 }
 
+TEST_CASE("microfacet: from above, the mean square of a weight is 1 / (12 alpha^2)") {
+  // Under an even sky the mean is 1, so this is what the noise comes from. Weight w = pi f at the
+  // density cos / pi: the integral of pi f^2 cos. Near the mirror direction f = D / 4, and light
+  // has 4 times the solid angle of its facets: pi / 4 times the integral of D^2, which is in slopes
+  // 2 pi t alpha^4 / (pi^2 (alpha^2 + t^2)^4), in sum 1 / (3 pi alpha^2).
+  for (const float alpha : {0.005f, 0.01f, 0.02f, 0.05f}) {
+    const auto bsdf = white(alpha);
+    const auto squared = [&](vec3 wo, vec3 wi) {
+      const Rgb f = bsdf.eval(wo, wi);
+      return pi * f * f;
+    };
+    const double mean_square = albedo(squared, alpha, {0, 0, 1}, 500);
+    CHECK(mean_square * 12 * alpha * alpha == close_to(1.0, 0.02));
+  }
+}
+
 TEST_CASE("microfacet: directions come in proportion to the cosine, as the density says") {
   const MicrofacetReflection bsdf{Ggx{0.3f}, golden};
   const vec3 wo = at_degrees(45);

@@ -13,6 +13,7 @@ namespace {
 
 using exercise::estimate_uniform;
 using exercise::RunningMean;
+using lt::text_of;
 using Numbers = std::vector<double>;
 
 RunningMean mean_of(const Numbers& numbers) {
@@ -20,13 +21,6 @@ RunningMean mean_of(const Numbers& numbers) {
   for (const double number : numbers)
     running.add(number);
   return running;
-}
-
-std::string text_of(double x) {
-  std::ostringstream text;
-  text.precision(6);
-  text << (std::isnan(x) ? std::abs(x) : x);
-  return text.str();
 }
 
 std::string gave(const std::string& call, double value, double expected) {

@@ -16,6 +16,8 @@ using exercise::exponential_pdf;
 using exercise::parabola_pdf;
 using exercise::sample_exponential;
 using exercise::sample_parabola;
+using lt::text_of;
+using lt::text_of_u;
 using Function = double (*)(double);
 
 // A sampler with its density, and what both should be.
@@ -43,19 +45,6 @@ const Task exponential{"e^-x",
                        [](double x) { return x < 0 ? 0 : std::exp(-x); },
                        [](double x) { return x < 0 ? 0 : -std::expm1(-x); },
                        50};
-
-std::string text_of(double x) {
-  std::ostringstream text;
-  text.precision(6);
-  text << (std::isnan(x) ? std::abs(x) : x);
-  return text.str();
-}
-
-// u, even if it is a hair below 1.
-std::string text_of_u(double u) {
-  if (u == 1 - 0x1p-53) return "1 - 2^-53";
-  return u == 1 - 0x1p-24 ? "1 - 2^-24" : text_of(u);
-}
 
 std::string gave(const std::string& function, double argument, double value,
                  const std::string& expected) {

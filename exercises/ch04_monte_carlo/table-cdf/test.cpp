@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -20,10 +19,7 @@ constexpr double largest_u = 1 - 0x1p-53;
 
 // Six digits; numbers that come nearer to 1 in full.
 std::string text_of(double x) {
-  std::ostringstream text;
-  text.precision(std::abs(x - 1) < 1e-6 ? 17 : 6);
-  text << (std::isnan(x) ? std::abs(x) : x);
-  return text.str();
+  return lt::text_of(x, std::abs(x - 1) < 1e-6 ? 17 : 6);
 }
 
 std::string text_of(const Numbers& numbers) {
