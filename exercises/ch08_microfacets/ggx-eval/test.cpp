@@ -218,13 +218,14 @@ TEST_CASE("at random places: right, the same both ways, and no cosine beyond 1")
         return telling(cosine);
       };
       const double value = ggx_eval(alpha, recording, o, i);
+      const double changed_over = ggx_eval(alpha, telling, i, o);
+      const double right = Parts(o, i).f();
+      if (largest <= 1 && is_near(value, right) && is_near(changed_over, right)) continue;
       lt::diagnose(
           !(largest > 1 && largest < 1 + 1e-9), "cosine-beyond-one",
           between(o, i) + ": Fresnel was asked for a cosine of 1 + " + shown(largest - 1) + '.');
-      INFO(gave(between(o, i), value, Parts(o, i).f()));
-      REQUIRE(is_near(value, Parts(o, i).f()));
-      INFO("and changed over it gave " << ggx_eval(alpha, telling, i, o));
-      REQUIRE(is_near(ggx_eval(alpha, telling, i, o), value));
+      FAIL(gave(between(o, i), value, right)
+           << " Changed over it gave " << changed_over << "; the largest cosine was " << largest);
     }
   }
 }
