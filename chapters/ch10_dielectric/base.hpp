@@ -24,7 +24,7 @@ concept CoatedBase = requires(const T& base, vec3 wo, vec3 wi) {
 // [base]
 
 /// The mean of the three colours.
-[[nodiscard]] inline float mean_of(Rgb color) {
+[[nodiscard]] inline float mean_channel(Rgb color) {
   return (color.r + color.g + color.b) / 3.0f;
 }
 
@@ -44,7 +44,7 @@ struct ThesisBase {
 
   [[nodiscard]] float share(vec3 /*wo*/) const {
     const float through = 1.0f - coat.share(1.0f);
-    return mean_of(albedo) * through * through;
+    return mean_channel(albedo) * through * through;
   }
 };
 // [thesis-base]
@@ -61,7 +61,7 @@ struct ReciprocalBase {
     return albedo / pi * (through(wo) * through(wi));
   }
 
-  [[nodiscard]] float share(vec3 wo) const { return mean_of(albedo) * through(wo); }
+  [[nodiscard]] float share(vec3 wo) const { return mean_channel(albedo) * through(wo); }
 
  private:
   [[nodiscard]] float through(vec3 w) const { return 1.0f - coat.share(std::min(w.z, 1.0f)); }
@@ -82,7 +82,7 @@ struct ConservingBase {
     return albedo / pi * (through(wo) * through(wi) / through_on_average);
   }
 
-  [[nodiscard]] float share(vec3 wo) const { return mean_of(albedo) * through(wo); }
+  [[nodiscard]] float share(vec3 wo) const { return mean_channel(albedo) * through(wo); }
 
  private:
   [[nodiscard]] float through(vec3 w) const {

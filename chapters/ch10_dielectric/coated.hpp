@@ -29,15 +29,11 @@ struct CoatedDiffuse {
   /// direction: f is the sum of both, and the density is, too.
   [[nodiscard]] std::optional<BsdfSample> sample(vec3 wo, vec3 u) const {
     if (!(wo.z > 0.0f)) return std::nullopt;
-    vec3 wi = cosine_hemisphere(vec2(u));
-    if (u.z < coat_probability(wo)) {
-      const auto mirrored = coat.sample(wo, u);
-      if (!mirrored) return std::nullopt;
-      wi = mirrored->wi;
-    }
-    const float density = pdf(wo, wi);
+    const auto wi = u.z < coat_probability(wo) ? mirrored(wo, u) : cosine_hemisphere(vec2(u));
+    if (!wi) return std::nullopt;
+    const float density = pdf(wo, *wi);
     if (!(density > 0.0f)) return std::nullopt;  // too close to the horizon for a float
-    return BsdfSample{wi, eval(wo, wi) * (wi.z / density), density};
+    return BsdfSample{*wi, eval(wo, *wi) * (wi->z / density), density};
   }
   // [coated-sample]
 
@@ -53,6 +49,13 @@ struct CoatedDiffuse {
     return choice(coat.fresnel.share(std::min(wo.z, 1.0f)), base.share(wo));
   }
   // [coated-pdf]
+
+ private:
+  /// A direction that the coat proposes.
+  [[nodiscard]] std::optional<vec3> mirrored(vec3 wo, vec3 u) const {
+    const auto sample = coat.sample(wo, u);
+    return sample ? std::optional(sample->wi) : std::nullopt;
+  }
 };
 // [coated]
 
