@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ch03_surfaces/surface.hpp"
+#include "ch07_fresnel/mirror.hpp"
 #include "ch08_microfacets/roughness.hpp"
 #include "ch09_metal_and_plastic/rough_reflection.hpp"
 

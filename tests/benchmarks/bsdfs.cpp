@@ -7,6 +7,8 @@
 #include "ch07_fresnel/glass.hpp"
 #include "ch07_fresnel/mirror.hpp"
 #include "ch07_fresnel/schlick.hpp"
+#include "ch09_metal_and_plastic/all_normals.hpp"
+#include "ch09_metal_and_plastic/metal_and_plastic.hpp"
 #include "tests/benchmarks/registered.hpp"
 
 namespace lt::bench {
@@ -65,6 +67,10 @@ void add_bsdfs() {
   add_bsdf("matt", CosineLambert{Rgb(0.5f)});
   add_bsdf("mirror", Mirror{gold});
   add_bsdf("clear glass", Glass{1.0f, 1.5f});
+  const Ggx ggx{0.3f};
+  add_bsdf("rough metal, all normals", MetalReflection<AllNormals>{ggx, {gold}});
+  add_bsdf("rough metal, visible normals", MetalReflection<>{ggx, {gold}});
+  add_bsdf("plastic", PlasticReflection<>{ggx, {{index_of_air, 1.5f}, Rgb(0.5f)}});
 }
 
 }  // namespace lt::bench
