@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ch07_fresnel/views.hpp"
-#include "ch08_microfacets/ball_row.hpp"
+#include "ch09_metal_and_plastic/studio.hpp"
 #include "ch10_dielectric/coat_tables.hpp"
 #include "ch10_dielectric/mistakes.hpp"
 
@@ -15,12 +15,12 @@ namespace lt {
 
 /// What to show.
 struct DielectricViewOptions {
-  std::string view = "room";        ///< room, floors or furnace
+  std::string view = "room";        ///< room, floors, spheres or furnace
   std::string base = "reciprocal";  ///< thesis, reciprocal or conserving
   std::string wrong = "none";       ///< a mistake: none, base, density or divide
   std::string camera = "far";       ///< far or near, for the room
   float roughness = 0.6f;           ///< of the room's floor, 0 to 1
-  int depth = 8;                    ///< scattering events at most, for rooms, >= 0
+  int depth = 8;                    ///< scattering events at most, >= 0
   int texels = 256;                 ///< side of the walls' textures
 };
 
@@ -41,29 +41,14 @@ struct DielectricViewOptions {
 }
 // [coated-room]
 
-// [sky-row]
-/// Chapter 8's row of balls, of a white dielectric of index 1.5.
-[[nodiscard]] inline TexturedScene white_row() {
-  TexturedScene row(ball_row());
-  for (std::size_t i = 0; i < row_count; ++i)
-    row.looks[i].material = {.roughness = row_alphas[i], .ior = 1.5f};
-  return row;
+// [coated-row]
+/// Chapter 9's studio with dielectrics of index 1.5: a red one under a sky with a lamp; or a white
+/// one under an even sky, before which a ball that gives back all light cannot be seen.
+[[nodiscard]] inline Studio coated_row(const std::string& view) {
+  if (view == "furnace") return row_of({.tint = Rgb(1.0f)}, even_sky(Rgb(0.5f)));
+  return row_of({.tint = {0.6f, 0.05f, 0.03f}});
 }
-
-/// One estimate under a sky of radiance 1/2 that is the same everywhere. A ball that gives back all
-/// light cannot be seen. No light goes from ball to ball.
-template <Scattering Model>
-[[nodiscard]] Rgb even_sky_light(const TexturedScene& row, const Model& bsdf_at, const Ray& ray,
-                                 Pcg32& random) {
-  const Rgb sky(0.5f);
-  const auto hit = closest_hit(row, ray);
-  if (!hit) return sky;
-  const Surface surface = surface_at(row, ray, *hit);
-  const vec3 wo = surface.frame.to_local(-ray.direction);
-  const auto sample = bsdf_at(surface).sample(wo, random.next_vec3());
-  return sample ? sample->weight * sky : Rgb(0.0f);
-}
-// [sky-row]
+// [coated-row]
 
 // [with-scattering]
 /// Calls use(bsdf_at) with what `show` asks for, known when the program is compiled.
@@ -80,32 +65,37 @@ template <class Use>
   return use([](const Surface& s) { return coated_bsdf_at(s); });
 }
 
+/// An estimator in the room or in the studio.
 /// @param scene  must outlive what is returned
-[[nodiscard]] inline AnyEstimator estimator_for(const DielectricViewOptions& show,
-                                                const TexturedScene& scene) {
-  return with_scattering(show, scene, [&](const auto& bsdf_at) -> AnyEstimator {
-    if (show.view != "furnace") return estimator_with(scene, bsdf_at, show.depth);
-    return [&scene, bsdf_at](const Ray& ray, Pcg32& random) {
-      return even_sky_light(scene, bsdf_at, ray, random);
+[[nodiscard]] inline AnyEstimator estimator_in(const TexturedScene& scene,
+                                               const DielectricViewOptions& show) {
+  return with_scattering(
+      show, scene, [&](const auto& bsdf_at) { return estimator_with(scene, bsdf_at, show.depth); });
+}
+[[nodiscard]] inline AnyEstimator estimator_in(const Studio& studio,
+                                               const DielectricViewOptions& show) {
+  return with_scattering(show, studio.scene, [&](const auto& bsdf_at) -> AnyEstimator {
+    return [&studio, bsdf_at, depth = show.depth](const Ray& ray, Pcg32& random) {
+      return radiance_recursive(studio, bsdf_at, ray, depth, random);
     };
   });
 }
 // [with-scattering]
 
-/// The scene of a view.
-[[nodiscard]] inline TexturedScene dielectric_scene(const DielectricViewOptions& show) {
-  return show.view == "furnace" ? white_row() : coated_room(show.texels, show.roughness);
-}
-
-/// Where to look from in a view.
-[[nodiscard]] inline Camera dielectric_camera(const DielectricViewOptions& show) {
-  if (show.view == "furnace") return row_camera();
-  if (show.view == "floors") return floor_camera();
-  return show.camera == "far" ? room_camera_far() : room_camera_near();
+/// Calls use(camera, estimate) with what the view shows; what `use` keeps must not outlive it.
+template <class Use>
+void with_view(const DielectricViewOptions& show, const Use& use) {
+  if (show.view == "room") {
+    const TexturedScene room = coated_room(show.texels, show.roughness);
+    use(show.camera == "far" ? room_camera_far() : room_camera_near(), estimator_in(room, show));
+  } else {
+    const Studio studio = coated_row(show.view);
+    use(row_camera(), estimator_in(studio, show));
+  }
 }
 
 /// The strip's floors: without a coat, the thesis', a smoother one, and a polished one.
-inline constexpr std::array<float, 4> floor_roughness{0.6f, 0.6f, 0.2f, 0.0f};
+inline constexpr std::array<float, 4> floor_roughness{0.6f, 0.6f, 0.1f, 0.0f};
 
 /// One floor of the strip.
 [[nodiscard]] inline Image floor_picture(const DielectricViewOptions& show, std::size_t number,
@@ -114,7 +104,7 @@ inline constexpr std::array<float, 4> floor_roughness{0.6f, 0.6f, 0.2f, 0.0f};
   TexturedScene scene = coated_room(show.texels, floor_roughness[number]);
   if (number == 0) scene.looks[room::floor].material.specular = 0.0f;
   Film film(size.x, size.y);
-  render(film, floor_camera(), estimator_for(show, scene), range, cancel, &progress);
+  render(film, floor_camera(), estimator_in(scene, show), range, cancel, &progress);
   require_good_samples(film);
   return developed(film);
 }

@@ -19,8 +19,8 @@ struct Options {
 bool parse(Options& options, int argc, char** argv) {
   lt::DielectricViewOptions& show = options.show;
   lt::CommandLine line("ch10_dielectric", "Matt bodies under clear coats.");
-  line.add_choice("--view", show.view, {"room", "floors", "furnace"},
-                  "the room, four floors, or seven white balls under an even sky");
+  line.add_choice("--view", show.view, {"room", "floors", "spheres", "furnace"},
+                  "the room, four floors, or seven balls under a sky or an even one");
   line.add_choice("--base", show.base, {"reciprocal", "thesis", "conserving"},
                   "how much light the coat leaves to the body below");
   line.add_choice("--wrong", show.wrong, {"none", "base", "density", "divide"},
@@ -38,8 +38,7 @@ bool parse(Options& options, int argc, char** argv) {
   line.only_for("--base", "--table", {"none", "totals"});
   for (const char* name : {"--camera", "--roughness"})
     line.only_for(name, "--view", {"room"});
-  for (const char* name : {"--depth", "--texels"})
-    line.only_for(name, "--view", {"room", "floors"});
+  line.only_for("--texels", "--view", {"room", "floors"});
   for (const char* name : {"--view", "--wrong", "--depth", "--texels"}) {
     line.only_for(name, "--plot", {"none"});
     line.only_for(name, "--table", {"none"});

@@ -22,8 +22,9 @@ inline void write_dielectric_view(const DielectricViewOptions& show, const Rende
     save_image(out, floors_strip(show, picture.width, picture.height, range, cancel));
     return;
   }
-  const TexturedScene scene = dielectric_scene(show);
-  render_to_file(estimator_for(show, scene), dielectric_camera(show), picture, out, cancel);
+  with_view(show, [&](const Camera& camera, const AnyEstimator& estimate) {
+    render_to_file(estimate, camera, picture, out, cancel);
+  });
 }
 
 /// Draws a plot.

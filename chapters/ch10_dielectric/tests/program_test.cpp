@@ -22,9 +22,9 @@ DielectricViewOptions small(const std::string& view, const std::string& base = "
 
 Film film_of(const DielectricViewOptions& show, ivec2 size, int spp, int threads = 0) {
   Film film(size.x, size.y);
-  const TexturedScene scene = dielectric_scene(show);
-  render(film, dielectric_camera(show), estimator_for(show, scene),
-         {.last = spp, .threads = threads, .tile_size = 8}, never);
+  with_view(show, [&](const Camera& camera, const AnyEstimator& estimate) {
+    render(film, camera, estimate, {.last = spp, .threads = threads, .tile_size = 8}, never);
+  });
   return film;
 }
 
@@ -44,7 +44,7 @@ double furnace_mean(const std::string& base, const std::string& wrong = "none") 
 }  // namespace
 
 TEST_CASE("program: no sample is negative or infinite or NaN in any view") {
-  for (const char* view : {"room", "floors", "furnace"})
+  for (const char* view : {"room", "spheres", "furnace"})
     for (const char* base : {"thesis", "reciprocal", "conserving"})
       CHECK(summary(film_of(small(view, base), {30, 24}, 16)).bad == 0);
 }
@@ -61,13 +61,13 @@ TEST_CASE("program: every mistake has its picture") {
 }
 
 TEST_CASE("program: the thesis' smoothest ball is brighter than the sky at its rim") {
-  const TexturedScene row = white_row();
-  const auto estimate = estimator_for(small("furnace", "thesis"), row);
-  const auto seen_at = [&](float b) {  // distance from the leftmost ball's axis, metres
+  const Studio studio = coated_row("furnace");
+  const auto estimate = estimator_in(studio, small("furnace", "thesis"));
+  const auto seen_at = [&](float b) {  // metres to the left of the leftmost ball's axis
     double sum = 0;
     for (int i = 0; i < 4'000; ++i) {
       Pcg32 random = stream_for(1, 0, 0, i);
-      sum += estimate({{-6.6f + b, 0.0f, -60.0f}, {0.0f, 0.0f, 1.0f}}, random).g;
+      sum += estimate({{-6.6f - b, 0.0f, -60.0f}, {0.0f, 0.0f, 1.0f}}, random).g;
     }
     return sum / 4'000;
   };
