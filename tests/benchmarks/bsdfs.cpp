@@ -10,6 +10,7 @@
 #include "ch08_microfacets/microfacet.hpp"
 #include "ch09_metal_and_plastic/all_normals.hpp"
 #include "ch09_metal_and_plastic/metal_and_plastic.hpp"
+#include "ch10_dielectric/coated.hpp"
 #include "tests/benchmarks/registered.hpp"
 
 namespace lt::bench {
@@ -73,6 +74,13 @@ void add_bsdfs() {
   add_bsdf("rough gold, all normals", MetalReflection<AllNormals>{ggx, {gold}});
   add_bsdf("rough gold, visible normals", MetalReflection<>{ggx, {gold}});
   add_bsdf("plastic", PlasticReflection<>{ggx, {{index_of_air, 1.5f}, Rgb(0.5f)}});
+  const CoatFresnel coat{1.5f};
+  const Rgb grey(0.5f);
+  static const SpecularAlbedo table(ggx.alpha, coat.ior);
+  add_bsdf("coated, reciprocal base", CoatedDiffuse<ReciprocalBase>{{ggx, coat}, {grey, coat}});
+  add_bsdf("coated, conserving base",
+           CoatedDiffuse<ConservingBase>{{ggx, coat}, {grey, 1.0f, table}});
+  add_bsdf("polished coat", PolishedDiffuse<ReciprocalBase>{coat, {grey, coat}});
 }
 
 }  // namespace lt::bench
