@@ -27,11 +27,6 @@ bool is_near(double a, double b) {
 bool is_same(const std::optional<dvec3>& a, const std::optional<dvec3>& b) {
   return a && b && distance(*a, *b) < 1e-9;
 }
-std::string shown(double x) {
-  std::ostringstream text;
-  text << (std::isnan(x) ? std::abs(x) : x);  // "-nan" says no more than "nan"
-  return text.str();
-}
 std::string at(dvec3 wo, dvec3 wi) {
   const auto text = [](dvec3 v) {
     return '(' + shown(v.x) + ", " + shown(v.y) + ", " + shown(v.z) + ')';
@@ -41,6 +36,30 @@ std::string at(dvec3 wo, dvec3 wi) {
 std::string gave(double value, double right) {
   return " gave " + shown(value) + " and should give " + shown(right) + '.';
 }
+
+using Mistakes = std::vector<std::pair<const char*, Formula>>;
+const Mistakes eval_mistakes{
+    {"base-not-attenuated", [](P p) { return p.coat + p.base; }},
+    {"attenuated-once", [](P p) { return p.coat + p.base * p.in; }},
+    {"attenuated-once", [](P p) { return p.coat + p.base * p.out; }},
+    {"fresnel-at-facet", [](P p) { return p.coat + p.base * p.at_facet * p.at_facet; }},
+    {"reflected-for-rest", [](P p) { return p.coat + p.base * (1 - p.in) * (1 - p.out); }},
+    {"pi-forgotten", [](P p) { return p.coat + pi * p.base * p.in * p.out; }},
+    {"coat-forgotten", [](P p) { return p.base * p.in * p.out; }},
+    {"coat-fresnel-twice", [](P p) { return p.coat * (1 - p.out) + p.base * p.in * p.out; }},
+    {"coat-tinted", [](P p) { return p.coat * red.tint + p.base * p.in * p.out; }},
+    {"cosine-included", [](P p) { return right_eval(p) * p.mi; }},
+};
+const Mistakes pdf_mistakes{
+    {"probabilities-swapped", [](P p) { return (1 - p.p) * p.coat_pdf + p.p * p.base_pdf; }},
+    {"equal-probabilities", [](P p) { return (p.coat_pdf + p.base_pdf) / 2; }},
+    {"densities-added", [](P p) { return p.coat_pdf + p.base_pdf; }},
+};
+const Mistakes weight_mistakes{
+    {"weight-without-cosine", [](P p) { return right_weight(p) / p.mi; }},
+    {"weight-with-cosine-of-wo", [](P p) { return right_weight(p) * p.mo / p.mi; }},
+    {"weight-not-divided", [](P p) { return right_weight(p) * right_pdf(p); }},
+};
 
 // What was got for some directions has to be `right`, or is one of the mistakes.
 struct Value {
@@ -65,51 +84,6 @@ std::vector<Value> values_of(const std::string& name, Function function) {
   for (const auto& [wo, wi] : pairs)
     values.push_back({name + at(wo, wi), parts_of(wo, wi), function(red, wo, wi)});
   return values;
-}
-
-// Directions above in rows of equal height; then those below; then what leads nowhere.
-constexpr int rows = 16, columns = 24, fine = 5;
-std::vector<double> expected_shares(dvec3 wo) {
-  std::vector<double> shares(rows * columns + 2);
-  double coat = 0;  // of it, what points up
-  for (int i = 0; i < rows * fine; ++i)
-    for (int k = 0; k < columns * fine; ++k) {
-      const double z = (i + 0.5) / (rows * fine), phi = 2 * pi * (k + 0.5) / (columns * fine);
-      const double radius = std::sqrt(1 - z * z);
-      const Parts parts = parts_of(wo, {radius * std::cos(phi), radius * std::sin(phi), z});
-      const double area = 2 * pi / (rows * fine * columns * fine);
-      shares[static_cast<std::size_t>(i / fine * columns + k / fine)] += area * right_pdf(parts);
-      coat += area * parts.coat_pdf;
-    }
-  shares.back() = coat_probability(red, wo) * (1 - coat);
-  return shares;
-}
-std::size_t bin_of(const std::optional<BsdfSample>& made) {
-  if (!made) return rows * columns + 1;
-  if (!(made->wi.z >= 0) || std::isnan(made->wi.x + made->wi.y)) return rows * columns;
-  const double turn = std::atan2(made->wi.y, made->wi.x) / (2 * pi) + 1;
-  const int row = std::min(rows - 1, static_cast<int>(made->wi.z * rows));
-  return static_cast<std::size_t>(row * columns + static_cast<int>(turn * columns) % columns);
-}
-// The bin that is farthest off, in words.
-std::string worst(dvec3 wo, const std::vector<double>& counts,
-                  const std::vector<double>& expected) {
-  const auto off = [&](std::size_t i) {
-    return std::abs(counts[i] - expected[i]) / std::sqrt(expected[i] + 1);
-  };
-  std::size_t most = 0;
-  for (std::size_t i = 0; i < counts.size(); ++i)
-    most = off(i) > off(most) ? i : most;
-  std::ostringstream text;
-  text << "With the cosine of wo " << wo.z << ", ";
-  if (most == rows * columns + 1) text << "of all samples those that lead nowhere";
-  if (most == rows * columns) text << "of all samples those that point down";
-  if (most < rows * columns)
-    text << "samples with z about " << (static_cast<double>(most / columns) + 0.5) / rows
-         << " and phi about " << (static_cast<double>(most % columns) + 0.5) * 360 / columns
-         << " degrees";
-  text << " number " << counts[most] << " and should number about " << expected[most] << '.';
-  return text.str();
 }
 
 // Even over the unit cube, without chance (Roberts 2018).

@@ -18,7 +18,6 @@ namespace {
 using namespace exercise;
 using glm::dvec2, glm::dvec3;
 
-const double pi = std::acos(-1.0);
 const RoughGlass entering{{0.5}, 1, 1.5}, leaving{{0.5}, 1.5, 1};
 // Directions with few digits, to the viewer and to the light below.
 const std::array<std::pair<dvec3, dvec3>, 3> pairs{{{{0.6, 0, 0.8}, {-0.48, 0.36, -0.8}},
@@ -31,14 +30,6 @@ bool is_near(double a, double b) {
 bool is_same(const std::optional<dvec3>& a, const std::optional<dvec3>& b) {
   return a && b && distance(*a, *b) < 1e-6;
 }
-std::string shown(double x) {
-  std::ostringstream text;
-  text << (std::isnan(x) ? std::abs(x) : x);  // "-nan" says no more than "nan"
-  return text.str();
-}
-std::string shown(dvec3 v) {
-  return '(' + shown(v.x) + ", " + shown(v.y) + ", " + shown(v.z) + ')';
-}
 std::string gave(double value, double right) {
   return " gave " + shown(value) + " and should give " + shown(right) + ". ";
 }
@@ -50,6 +41,35 @@ bool is_right(const std::string& what, double value, double right) {
   if (!is_near(value, right)) UNSCOPED_INFO(what << gave(value, right));
   return is_near(value, right);
 }
+
+using Mistakes = std::vector<std::pair<const char*, Formula>>;
+const Mistakes eval_mistakes{
+    {"reflection-denominator", [](P p) { return p.through * p.d * p.g2 / (4 * p.mo * p.mi); }},
+    {"fresnel-not-subtracted", [](P p) { return right_eval(p) / p.through * (1 - p.through); }},
+    {"fresnel-twice", [](P p) { return right_eval(p) * (1 - p.through); }},
+    {"fresnel-at-normal", [](P p) { return right_eval(p) / p.through * p.through_flat; }},
+    {"importance-for-radiance", [](P p) { return right_eval(p) * square(p.nb / p.nh); }},
+    {"sum-not-squared", [](P p) { return right_eval(p) * p.sum; }},
+    {"sum-of-sizes", [](P p) { return right_eval(p) * wrong_sum(p); }},
+    {"cosines-forgotten", [](P p) { return right_eval(p) * p.mo * p.mi; }},
+    {"cosine-included", [](P p) { return right_eval(p) * p.mi; }},
+    {"facet-cosines-forgotten", [](P p) { return right_eval(p) / (p.co * p.ci); }},
+};
+const Mistakes pdf_mistakes{
+    {"reflection-jacobian", [](P p) { return facet_pdf(p) / (4 * p.co); }},
+    {"jacobian-forgotten", facet_pdf},
+    {"jacobian-index", [](P p) { return right_pdf(p) * square(p.nh / p.nb); }},
+    {"jacobian-cosine", [](P p) { return right_pdf(p) * p.co / p.ci; }},
+    {"jacobian-not-squared", [](P p) { return right_pdf(p) * p.sum; }},
+    {"jacobian-of-sizes", [](P p) { return right_pdf(p) * wrong_sum(p); }},
+    {"pdf-with-fresnel", [](P p) { return right_pdf(p) * p.through; }},
+};
+const Mistakes weight_mistakes{
+    {"weight-unscaled", [](P p) { return right_weight(p) * square(p.nb / p.nh); }},
+    {"weight-without-fresnel", [](P p) { return right_weight(p) / p.through; }},
+    {"weight-without-cosine", [](P p) { return right_weight(p) / p.mi; }},
+    {"weight-masked-twice", [](P p) { return right_weight(p) * p.g1; }},
+};
 
 // What was got for some directions has to be `right`, or is one of the mistakes.
 struct Value {
@@ -76,55 +96,6 @@ std::vector<Value> values_of(const std::string& name, Function function) {
       values.push_back(
           {name + at(glass, wo, wi), *parts_of(glass, wo, wi), function(glass, wo, wi)});
   return values;
-}
-
-// Of directions below, in rows of equal height; then of those above; then of what leads nowhere.
-constexpr int rows = 16, columns = 24, fine = 5;
-std::vector<double> expected_shares(const RoughGlass& glass, dvec3 wo) {
-  std::vector<double> shares(rows * columns, 1e-9);  // a bin at the edge may have no fine point
-  shares.resize(rows * columns + 2);
-  for (int i = 0; i < rows * fine; ++i)
-    for (int k = 0; k < columns * fine; ++k) {
-      const double z = -(i + 0.5) / (rows * fine), phi = 2 * pi * (k + 0.5) / (columns * fine);
-      const double radius = std::sqrt(1 - z * z);
-      const auto parts = parts_of(glass, wo, {radius * std::cos(phi), radius * std::sin(phi), z});
-      if (!parts) continue;
-      shares[static_cast<std::size_t>(i / fine * columns + k / fine)] +=
-          2 * pi / (rows * fine * columns * fine) * right_pdf(*parts);
-    }
-  // Into the denser medium every facet bends the ray down.
-  if (glass.n_here > glass.n_beyond)
-    shares.back() = 1 - std::accumulate(shares.begin(), shares.end(), 0.0);
-  return shares;
-}
-std::size_t bin_of(const std::optional<BsdfSample>& made) {
-  if (!made) return rows * columns + 1;
-  if (!(made->wi.z < 0) || std::isnan(made->wi.x + made->wi.y)) return rows * columns;
-  const double turn = std::atan2(made->wi.y, made->wi.x) / (2 * pi) + 1;
-  const int row = std::min(rows - 1, static_cast<int>(-made->wi.z * rows));
-  return static_cast<std::size_t>(row * columns + static_cast<int>(turn * columns) % columns);
-}
-
-// The bin that is farthest off, in words.
-std::string worst(const RoughGlass& glass, dvec3 wo, const std::vector<double>& counts,
-                  const std::vector<double>& expected) {
-  std::size_t most = 0;
-  const auto off = [&](std::size_t i) {
-    return square(counts[i] - expected[i]) / (expected[i] + 1);
-  };
-  for (std::size_t i = 0; i < counts.size(); ++i)
-    most = off(i) > off(most) ? i : most;
-  std::ostringstream text;
-  text << "From index " << glass.n_here << " to " << glass.n_beyond << ", with wo " << shown(wo)
-       << ", ";
-  if (most == rows * columns + 1) text << "of all samples those that lead nowhere";
-  if (most == rows * columns) text << "of all samples those that point up";
-  if (most < rows * columns)
-    text << "samples with z about " << -(static_cast<double>(most / columns) + 0.5) / rows
-         << " and phi about " << (static_cast<double>(most % columns) + 0.5) * 360 / columns
-         << " degrees";
-  text << " number " << counts[most] << " and should number about " << expected[most] << '.';
-  return text.str();
 }
 
 }  // namespace
