@@ -30,9 +30,9 @@ std::string drift_after(std::size_t pixels, int codes) {
 }
 
 // Sanitizers take ten times as long, and their programs make the same pictures: there each is made
-// in a third of its size, to see that the program runs, and not compared.
+// in a sixth of its size, to see that the program runs, and not compared.
 constexpr bool is_sanitized = std::string_view(LT_SANITIZE) != "";
-constexpr int shrunk = is_sanitized ? 3 : 1;
+constexpr int shrunk = is_sanitized ? 6 : 1;
 
 // The command that makes a picture at its stored size.
 std::vector<std::string> command_of(const Program& program, const lt::Picture& picture,

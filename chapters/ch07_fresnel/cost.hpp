@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdio>
-#include <ctime>
 #include <string>
 #include <vector>
 
@@ -12,39 +11,24 @@
 #include "ch05_rendering_equation/lit_room.hpp"
 #include "ch07_fresnel/schlick.hpp"
 #include "ch07_fresnel/smooth.hpp"
+#include "common/timing.hpp"
 
 namespace lt {
 
-// [nanoseconds]
-/// Processor time of one call of f(i), i = 0 to 4095 again and again; the least of five
-/// measurements.
-/// @param f       gives a float, so that no compiler leaves the call out
+/// Processor time of one call of f(i), i = 0 to 4095 again and again, nanoseconds.
+/// @param f       gives a number, not negative
 /// @param rounds  how many times 4096 calls
-/// @return nanoseconds
 template <class F>
 [[nodiscard]] double nanoseconds(const F& f, int rounds) {
-  double least = infinity;
-  for (int measurement = 0; measurement < 5; ++measurement) {
-    volatile float keep = 0.0f;
-    float sum = 0.0f;
-    const std::clock_t start = std::clock();
-    for (int round = 0; round < rounds; ++round)
-      for (std::size_t i = 0; i < 4096; ++i)
-        sum += f(i);
-    const double taken = 1e9 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    keep = sum;
-    (void)keep;
-    least = std::min(least, taken / (4096.0 * rounds));
-  }
-  return least;
+  return best_nanoseconds(4096 * rounds,
+                          [&](int i) { return f(static_cast<std::size_t>(i % 4096)); });
 }
-// [nanoseconds]
 
 /// All of a sample, added up, so that no part of it is left out.
 template <Bsdf AnyBsdf>
 [[nodiscard]] float sampled(const AnyBsdf& bsdf, vec3 wo, vec3 u) {
   const auto sample = bsdf.sample(wo, u);
-  return sample ? dot(sample->wi + sample->weight, vec3(1.0f)) : 0.0f;
+  return sample ? dot(abs(sample->wi) + sample->weight, vec3(1.0f)) : 0.0f;
 }
 
 // [path-cost]

@@ -71,10 +71,8 @@ void run(const Options& options, const std::atomic<bool>& cancel) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::atomic<bool>& cancel = lt::interrupted();
-  const int code = lt::run_program("ch08_microfacets", [&] {
+  return lt::run_interruptible_program("ch08_microfacets", [&](const auto& cancel) {
     Options options;
     if (parse(options, argc, argv)) run(options, cancel);
   });
-  return code == 0 && cancel ? lt::interrupted_exit_code : code;
 }
