@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "ch03_surfaces/exhibits.hpp"
 #include "ch05_rendering_equation/radiance.hpp"
@@ -27,6 +28,12 @@ namespace lt {
   Camera camera = look_at({1.5f, 1.5f, -2.064f}, {0.72f, 0.4f, 1.8f});
   camera.field_of_view = radians(14.0f);
   return camera;
+}
+
+/// @param name  far, near or close: where to stand in the room
+[[nodiscard]] inline Camera camera_named(const std::string& name) {
+  if (name == "close") return close_up_camera();
+  return name == "far" ? room_camera_far() : room_camera_near();
 }
 
 }  // namespace lt

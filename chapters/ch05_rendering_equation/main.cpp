@@ -31,20 +31,15 @@ bool parse(Options& options, int argc, char** argv) {
 }
 
 void run(const Options& options, const std::atomic<bool>& cancel) {
-  const lt::LitViewOptions& show = options.show;
-  std::filesystem::path out = options.picture.out;
-  if (options.plot != "none") {
-    if (out.empty()) out = options.plot + ".svg";
-    lt::write_plot(options.plot, show, options.picture, out, cancel);
-  } else {
-    if (out.empty()) out = show.view + ".png";
-    lt::require_picture_path(out);  // before the work, not after it
-    const auto write = show.view == "room" ? lt::write_room : lt::write_strip;
-    write(show, options.picture, out, cancel);
-  }
-  if (cancel) std::cout << "stopped early\n";
-  const bool is_written = options.plot == "none" || !cancel;  // half a plot is none
-  if (is_written) std::cout << "wrote " << lt::printable(out.string()) << '\n';
+  const auto& [picture, show, plot] = options;
+  const std::filesystem::path out = lt::output_path(picture, show.view, plot);
+  if (plot != "none")
+    lt::write_plot(plot, show, picture, out, cancel);
+  else if (show.view == "room")
+    lt::write_room(show, picture, out, cancel);
+  else
+    lt::write_strip(show, picture, out, cancel);
+  lt::print_outcome(out, cancel, plot == "none" || !cancel);  // half a plot is none
 }
 
 }  // namespace

@@ -55,6 +55,26 @@ inline void print_speed(const Film& film, const ProcessorTimer& timer) {
   std::cout << text << '\n';
 }
 
+/// The file that a program writes: the one that it was told, otherwise one named after the plot,
+/// or after the view if `plot` is "none".
+/// @throws InputError  its name does not end like a picture's: known before the work, not after it
+[[nodiscard]] inline std::filesystem::path output_path(const RenderOptions& picture,
+                                                       const std::string& view,
+                                                       const std::string& plot) {
+  const bool is_plot = plot != "none";
+  std::filesystem::path out = picture.out;
+  if (out.empty()) out = is_plot ? plot + ".svg" : view + ".png";
+  if (!is_plot) require_picture_path(out);
+  return out;
+}
+
+/// The last words of a program.
+/// @param is_written  false where a run that is stopped leaves no file
+inline void print_outcome(const std::filesystem::path& out, bool is_stopped, bool is_written) {
+  if (is_stopped) std::cout << "stopped early\n";
+  if (is_written) std::cout << "wrote " << printable(out.string()) << '\n';
+}
+
 // [render-to-file]
 /// Renders in passes; after each, the file holds the picture so far. When `cancel` is set, the
 /// samples that there are make the picture.
@@ -84,8 +104,8 @@ void render_to_file(const Estimator& estimate, const Camera& camera, const Rende
 inline void write_room(const LitViewOptions& show, const RenderOptions& picture,
                        const std::filesystem::path& out, const std::atomic<bool>& cancel) {
   const TexturedScene scene = matt_room(show.texels);
-  const Camera camera = show.camera == "far" ? room_camera_far() : room_camera_near();
-  render_to_file(estimator_for(show.wrong, scene, show.depth), camera, picture, out, cancel);
+  render_to_file(estimator_for(show.wrong, scene, show.depth), camera_named(show.camera), picture,
+                 out, cancel);
 }
 // [write-room]
 

@@ -45,17 +45,12 @@ void run(const Options& options, const std::atomic<bool>& cancel) {
     std::cout << lt::efficiency_table(show, picture.samples_per_pixel, picture.seed);
     return;
   }
-  std::filesystem::path out = picture.out;
-  if (plot != "none") {
-    if (out.empty()) out = plot + ".svg";
+  const std::filesystem::path out = lt::output_path(picture, show.view, plot);
+  if (plot != "none")
     lt::write_plot(plot, show, picture, out, cancel);
-  } else {
-    if (out.empty()) out = show.view + ".png";
-    lt::require_picture_path(out);  // before the work, not after it
+  else
     lt::write_view(show, picture, out, cancel);
-  }
-  if (cancel) std::cout << "stopped early\n";
-  if (std::filesystem::exists(out)) std::cout << "wrote " << lt::printable(out.string()) << '\n';
+  lt::print_outcome(out, cancel, plot == "none" || !cancel);  // half a plot is none
 }
 
 }  // namespace

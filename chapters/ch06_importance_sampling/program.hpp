@@ -43,11 +43,6 @@ inline void restrict_sampling_options(CommandLine& line) {
   line.only_for("--sampler", "--wrong", {"none"});  // each mistake is one sampler's
 }
 
-[[nodiscard]] inline Camera camera_named(const std::string& name) {
-  if (name == "close") return close_up_camera();
-  return name == "far" ? room_camera_far() : room_camera_near();
-}
-
 /// Counts a sampler's directions; prints what chi-square says of them.
 [[nodiscard]] inline Image counted_bins(const SamplingOptions& show, const RenderOptions& picture) {
   const NamedSampler sampler = sampler_named(show.room.sampler, show.room.wrong);

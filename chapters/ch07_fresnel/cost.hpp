@@ -47,22 +47,36 @@ template <Scattering Model>
 }
 // [path-cost]
 
+/// 4096 directions above the surface, and as many points to sample with: what costs are measured
+/// on.
+struct CostInputs {
+  std::vector<vec3> wo, wi, u;
+
+  CostInputs() {
+    Pcg32 random(1);
+    for (std::size_t i = 0; i < 4096; ++i) {
+      wo.push_back(uniform_hemisphere(random.next_vec2()));
+      wi.push_back(uniform_hemisphere(random.next_vec2()));
+      u.push_back(random.next_vec3());
+    }
+  }
+};
+
+/// One line of a table of costs.
+[[nodiscard]] inline std::string cost_row(const std::string& name, double nanoseconds) {
+  char line[80];
+  std::snprintf(line, sizeof line, "%-36s %7.1f ns\n", name.c_str(), nanoseconds);
+  return line;
+}
+
 // [cost-table]
 /// Nanoseconds of each step, as text.
 /// @param rounds  of each measurement, a tenth of it for paths; 500 take three seconds in all
 [[nodiscard]] inline std::string cost_table(int rounds) {
-  Pcg32 random(1);
-  std::vector<vec3> wo, u;
-  for (std::size_t i = 0; i < 4096; ++i) {
-    wo.push_back(uniform_hemisphere(random.next_vec2()));
-    u.push_back(random.next_vec3());
-  }
+  const CostInputs inputs;
+  const std::vector<vec3>&wo = inputs.wo, &u = inputs.u;
   std::string text;
-  const auto row = [&](const char* name, double time) {
-    char line[80];
-    std::snprintf(line, sizeof line, "%-36s %7.1f ns\n", name, time);
-    text += line;
-  };
+  const auto row = [&](const char* name, double time) { text += cost_row(name, time); };
   const auto time = [&](const auto& f) { return nanoseconds(f, rounds); };
   const CosineLambert matt{Rgb(0.5f)};
   const Mirror mirror{gold};

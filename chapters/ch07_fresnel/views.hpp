@@ -40,7 +40,7 @@ struct SmoothViewOptions {
   if (show.view == "water") return diver_camera();
   if (show.view == "glass" || show.view == "indices") return glass_camera();
   if (show.view == "metal" || show.view == "metals") return metal_camera();
-  return show.camera == "far" ? room_camera_far() : room_camera_near();
+  return camera_named(show.camera);
 }
 
 // [smooth-estimator]

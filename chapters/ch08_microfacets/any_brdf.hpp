@@ -11,19 +11,8 @@
 namespace lt {
 
 // [any-brdf]
-/// A BRDF that is known by its values only, f(wo, wi), and asked in proportion to the cosine.
-struct AnyBrdf {
-  std::function<Rgb(vec3 wo, vec3 wi)> value;
-
-  [[nodiscard]] Rgb eval(vec3 wo, vec3 wi) const { return value(wo, wi); }
-  [[nodiscard]] std::optional<BsdfSample> sample(vec3 wo, vec3 u) const {
-    const vec3 wi = cosine_hemisphere(vec2(u));
-    return BsdfSample{wi, eval(wo, wi) * pi, cosine_hemisphere_pdf(wi.z)};
-  }
-  [[nodiscard]] float pdf(vec3 wo, vec3 wi) const {
-    return same_side(wo, wi) ? cosine_hemisphere_pdf(wi.z) : 0.0f;
-  }
-};
+/// A BRDF that is known by its values only: f(wo, wi), 1/sr.
+using AnyBrdf = std::function<Rgb(vec3 wo, vec3 wi)>;
 // [any-brdf]
 
 /// Which microfacet BRDF.
@@ -36,8 +25,8 @@ struct BrdfOptions {
 [[nodiscard]] inline AnyBrdf brdf_named(const BrdfOptions& options, Ggx ggx,
                                         const FresnelTerm auto& fresnel) {
   namespace m = mistakes;
-  const auto with = [&](const auto& value) {
-    return AnyBrdf{[=](vec3 wo, vec3 wi) { return value(ggx, fresnel, wo, wi); }};
+  const auto with = [&](const auto& value) -> AnyBrdf {
+    return [=](vec3 wo, vec3 wi) { return value(ggx, fresnel, wo, wi); };
   };
   using Fresnel = std::decay_t<decltype(fresnel)>;
   if (options.wrong == "squared") return with(m::squared_twice<Fresnel>);
@@ -47,10 +36,10 @@ struct BrdfOptions {
   if (options.wrong == "printed") return with(m::as_printed<Fresnel>);
   if (options.masking == "separable") {
     const MicrofacetReflection<Fresnel, g2_separable> brdf{ggx, fresnel};
-    return {[=](vec3 wo, vec3 wi) { return brdf.eval(wo, wi); }};
+    return [=](vec3 wo, vec3 wi) { return brdf.eval(wo, wi); };
   }
   const MicrofacetReflection brdf{ggx, fresnel};
-  return {[=](vec3 wo, vec3 wi) { return brdf.eval(wo, wi); }};
+  return [=](vec3 wo, vec3 wi) { return brdf.eval(wo, wi); };
 }
 // [brdf-named]
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 #include "ch02_ray_casting/camera.hpp"
@@ -18,7 +19,7 @@ namespace lt {
 
 // [row]
 inline constexpr float row_alphas[] = {0.02f, 0.05f, 0.1f, 0.2f, 0.4f, 0.7f, 1.0f};
-inline constexpr int row_count = 7;
+inline constexpr int row_count{std::size(row_alphas)};
 
 /// Seven balls of 1 m, in a row from left to right.
 [[nodiscard]] inline Scene ball_row() {
@@ -70,7 +71,7 @@ struct FarLamp {
   const Frame frame = frame_around(point_on(row.spheres[hit->object], ray.at(hit->t)).normal);
   const vec3 wo = frame.to_local(-ray.direction);
   const vec3 wi = frame.to_local(lamp.sample(random.next_vec2()));
-  return brdfs[hit->object].eval(wo, wi) * (std::max(0.0f, wi.z) * lamp.weight());
+  return brdfs[hit->object](wo, wi) * (std::max(0.0f, wi.z) * lamp.weight());
 }
 // [lit-ball]
 
@@ -82,7 +83,7 @@ class AlbedoTable {
   AlbedoTable(const AnyBrdf& brdf, float alpha, int steps) {
     for (int i = 0; i <= intervals; ++i) {
       const float mu = std::max(1e-3f, static_cast<float>(i) / intervals);
-      albedos_.push_back(static_cast<float>(albedo(brdf.value, alpha, at_cosine(mu), steps)));
+      albedos_.push_back(static_cast<float>(albedo(brdf, alpha, at_cosine(mu), steps)));
     }
   }
 

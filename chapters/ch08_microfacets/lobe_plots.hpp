@@ -30,7 +30,7 @@ inline constexpr float lobe_alphas[] = {0.1f, 0.2f, 0.4f, 0.7f, 1.0f};
     const double degrees = i / 2.0;
     const vec3 wi = at_angle(degrees);
     curve.angles.push_back(degrees);
-    curve.radii.push_back(brdf.eval(wo, wi).g * wi.z);
+    curve.radii.push_back(brdf(wo, wi).g * wi.z);
     largest = std::max(largest, curve.radii.back());
   }
   for (double& radius : curve.radii)
@@ -57,9 +57,8 @@ inline constexpr float lobe_alphas[] = {0.1f, 0.2f, 0.4f, 0.7f, 1.0f};
           ? "Five lobes around the normal, from a needle for alpha 0.1 to a circle for alpha 1, "
             "which is nearly a matt surface's."
           : "Five lobes, seen from the left. The needle of alpha 0.1 points to the right, almost "
-            "at "
-            "the mirror angle. The wider a lobe is, the more it stands upright; for alpha 1 it is "
-            "nearly a circle, as a matt surface's is, and hardly knows where one looks from.";
+            "at the mirror angle. The wider a lobe is, the more it stands upright; for alpha 1 it "
+            "is nearly a circle, as a matt surface's is, and hardly knows where one looks from.";
   for (const float alpha : lobe_alphas)
     plot.curves.push_back(
         lobe(brdf_named(options, Ggx{alpha}, PerfectMirror{}), alpha, wo_degrees));

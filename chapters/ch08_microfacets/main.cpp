@@ -56,16 +56,12 @@ void run(const Options& options, const std::atomic<bool>& cancel) {
   const auto& [picture, show, plot, table] = options;
   if (table == "energy") return void(std::cout << lt::energy_table(show.brdf, 1000));
   if (table == "cost") return void(std::cout << lt::microfacet_cost_table(500));
-  std::filesystem::path out = picture.out;
-  if (out.empty()) out = plot != "none" ? plot + ".svg" : show.view + ".png";
-  if (plot != "none") {
+  const std::filesystem::path out = lt::output_path(picture, show.view, plot);
+  if (plot != "none")
     lt::write_microfacet_plot(plot, show, out);
-  } else {
-    lt::require_picture_path(out);  // before the work, not after it
+  else
     lt::write_microfacet_view(show, picture, out, cancel);
-  }
-  if (cancel) std::cout << "stopped early\n";
-  std::cout << "wrote " << lt::printable(out.string()) << '\n';
+  lt::print_outcome(out, cancel, true);
 }
 
 }  // namespace

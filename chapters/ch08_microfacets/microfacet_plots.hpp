@@ -61,9 +61,8 @@ template <class F>
       "All curves are 1 at the normal and fall to 0 at 90 degrees. For alpha 0.1 the curve stays "
       "near 1 up to 70 degrees and then drops; for alpha 1 it falls from the beginning.");
   for (const float alpha : lobe_alphas)
-    plot.series.push_back(over_angle(with_alpha("\u03b1 ", alpha), [&](vec3 w) {
-      return 1.0 / (1.0 + double{Ggx{alpha}.lambda(w)});
-    }));
+    plot.series.push_back(
+        over_angle(with_alpha("\u03b1 ", alpha), [&](vec3 w) { return g1(Ggx{alpha}, w, w); }));
   return plot;
 }
 
@@ -87,7 +86,7 @@ template <class F>
 /// The albedo of perfect mirrors.
 [[nodiscard]] inline double white_albedo(const BrdfOptions& options, float alpha, vec3 wo,
                                          int steps) {
-  return albedo(brdf_named(options, Ggx{alpha}, PerfectMirror{}).value, alpha, wo, steps);
+  return albedo(brdf_named(options, Ggx{alpha}, PerfectMirror{}), alpha, wo, steps);
 }
 
 /// What perfect mirrors give back against the angle from which one looks.

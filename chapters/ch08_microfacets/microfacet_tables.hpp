@@ -35,18 +35,11 @@ namespace lt {
 /// Nanoseconds of each step, as text.
 /// @param rounds  of each measurement; 500 take two seconds in all
 [[nodiscard]] inline std::string microfacet_cost_table(int rounds) {
-  Pcg32 random(1);
-  std::vector<vec3> wo, wi, u;
-  for (std::size_t i = 0; i < 4096; ++i) {
-    wo.push_back(uniform_hemisphere(random.next_vec2()));
-    wi.push_back(uniform_hemisphere(random.next_vec2()));
-    u.push_back(random.next_vec3());
-  }
+  const CostInputs inputs;
+  const std::vector<vec3>&wo = inputs.wo, &wi = inputs.wi, &u = inputs.u;
   std::string text;
   const auto row = [&](const char* name, const auto& f) {
-    char line[80];
-    std::snprintf(line, sizeof line, "%-36s %7.1f ns\n", name, nanoseconds(f, rounds));
-    text += line;
+    text += cost_row(name, nanoseconds(f, rounds));
   };
   const Ggx ggx{0.3f};
   const MicrofacetReflection white{ggx, PerfectMirror{}};

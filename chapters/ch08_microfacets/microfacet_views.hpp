@@ -79,8 +79,7 @@ inline void write_microfacet_view(const MicrofacetViewOptions& show, const Rende
     const auto bsdf_at = [](const Surface& surface) { return rough_metal_at(surface); };
     return radiance_recursive(room, bsdf_at, ray, show.depth, random);
   };
-  const Camera camera = show.camera == "far" ? room_camera_far() : room_camera_near();
-  render_to_file(estimate, camera, picture, out, cancel);
+  render_to_file(estimate, camera_named(show.camera), picture, out, cancel);
 }
 
 /// Draws a plot: a lobe seen from "lobes-0", "lobes-45" or "lobes-75", or one of

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,7 @@ class PolarDrawing {
 
   /// The place at an angle from straight up, degrees, "x y".
   [[nodiscard]] static std::string at(double degrees, double radius) {
-    const double angle = degrees * 3.14159265358979323846 / 180;
+    const double angle = degrees * std::numbers::pi / 180;
     return svg_number(x_ + radius_ * radius * std::sin(angle)) + " " +
            svg_number(y_ - radius_ * radius * std::cos(angle));
   }

@@ -1,20 +1,15 @@
 #include "ch07_fresnel/smooth.hpp"
 
 #include "ch04_monte_carlo/pcg32.hpp"
+#include "ch07_fresnel/tests/surface_of.hpp"
 #include "common/testkit/catch.hpp"
 #include "common/testkit/close_to.hpp"
 #include "common/testkit/sampler_test.hpp"
 
 using namespace lt;
+using namespace lt::testing;
 
 namespace {
-
-Surface surface_of(const Material& material, bool outside = true) {
-  Surface surface{};
-  surface.outside = outside;
-  surface.material = material;
-  return surface;
-}
 
 const Material clear{.attenuation = Rgb(0.0f)};
 const Material metal{

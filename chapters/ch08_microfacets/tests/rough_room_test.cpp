@@ -1,22 +1,12 @@
 #include "ch08_microfacets/rough_room.hpp"
 
 #include "ch05_rendering_equation/tests/scenes.hpp"
+#include "ch07_fresnel/tests/surface_of.hpp"
 #include "common/testkit/catch.hpp"
 #include "common/testkit/close_to.hpp"
 
 using namespace lt;
 using namespace lt::testing;
-
-namespace {
-
-Surface surface_of(const Material& material, bool outside = true) {
-  Surface surface{};
-  surface.outside = outside;
-  surface.material = material;
-  return surface;
-}
-
-}  // namespace
 
 TEST_CASE("rough room: metals are rough, clear things are glass, and the rest is matt") {
   const auto metal = rough_metal_at(surface_of({.tint = Rgb(0.5f),
