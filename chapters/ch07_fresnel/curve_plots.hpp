@@ -142,7 +142,7 @@ template <class F>
     plot.series.push_back(over_angles(name, [n = ior](double c) {
       return schlick(c, fresnel_dielectric(1.0, 1.0, n)) - fresnel_dielectric(c, 1.0, n);
     }));
-  plot.series.push_back(over_angles("gold", [](double c) {
+  plot.series.push_back(over_angles("thesis' gold", [](double c) {
     return schlick(c, fresnel_conductor(1.0, 1.0, 0.277, 2.92)) -
            fresnel_conductor(c, 1.0, 0.277, 2.92);
   }));

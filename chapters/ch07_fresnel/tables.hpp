@@ -24,9 +24,9 @@ namespace lt {
   };
   for (const auto& [name, ior] : clear_media) {
     row(name, [n = ior](double c) { return fresnel_dielectric(c, 1.0, n); });
+    row("  Schlick", [n = ior](double c) { return schlick(c, fresnel_dielectric(1.0, 1.0, n)); });
     row(std::string(name) + ", inside",
         [n = ior](double c) { return fresnel_dielectric(c, n, 1.0); });
-    row("  Schlick", [n = ior](double c) { return schlick(c, fresnel_dielectric(1.0, 1.0, n)); });
   }
   const auto metal_row = [&](const std::string& name, double eta, double k) {
     row(name, [=](double c) { return fresnel_conductor(c, 1.0, eta, k); });

@@ -131,6 +131,29 @@ const std::vector<std::pair<const char*, Wrong>> mistakes{
      [](Place at, Parts x) {
        return from_root(at, x.sin2, std::sqrt(x.square + 2 * squared(quotient(at).imag())));
      }},
+    {"sine-forgotten",
+     [](Place at, Parts x) { return from_root(at, x.sin2, std::sqrt(x.square + x.sin2)); }},
+    {"half-forgotten",
+     [](Place at, Parts x) { return from_root(at, x.sin2, std::sqrt(2.0 * x.square)); }},
+    {"square-for-fourth-power",
+     [](Place at, Parts x) {
+       const double length = std::hypot(x.square.real(), x.square.imag() * at.n_here);
+       return from_root(
+           at, x.sin2,
+           {std::sqrt((length + x.square.real()) / 2), std::sqrt((length - x.square.real()) / 2)});
+     }},
+    {"b-without-cosine",
+     [](Place at, Parts x) {
+       const Complex q = std::sqrt(x.square);
+       const double p = (squared(q.real() * at.c - x.sin2) + squared(q.imag())) /
+                        (squared(q.real() * at.c + x.sin2) + squared(q.imag()));
+       return std::norm(x.r.s) * (1 + p) / 2;
+     }},
+    {"total-reflection-by-eta",
+     [](Place at, Parts x) {
+       const bool has_no_angle = x.sin2 >= squared(quotient(at).real());
+       return has_no_angle ? 1 : mean_of_norms(x.r);
+     }},
     {"imaginary-part-forgotten",
      [](Place at, Parts x) { return from_root(at, x.sin2, std::sqrt(Complex(x.square.real()))); }},
     {"printed-formula",

@@ -111,6 +111,8 @@ Place back(Place at) {
 using WrongCosine = double (*)(double c, double eta);
 const std::vector<std::pair<const char*, WrongCosine>> wrong_cosines{
     {"eta-inverted", [](double c, double eta) { return snell(c, 1 / eta); }},
+    {"cosine-for-sine", [](double c, double eta) { return std::sqrt(1 - squared(eta * c)); }},
+    {"smaller-index-above", [](double c, double eta) { return snell(c, eta < 1 ? eta : 1 / eta); }},
     {"eta-not-squared", [](double c, double eta) { return snell(c, std::sqrt(eta)); }},
     {"cosine-not-squared", [](double c, double eta) { return snell(std::sqrt(c), eta); }},
     {"snell-of-cosines", [](double c, double eta) { return eta * c; }},
@@ -141,12 +143,16 @@ TEST_CASE("both shares where there is an angle beyond") {
       lt::diagnose(!made_by([f = cosine](Place at) { return shares(at, f(at.c, eta_of(at))); }),
                    tag, seen);
     const auto turned = [](Place at) { return shares(back(at), snell(back(at))); };
+    const auto sorted = [](Place at) {
+      return at.n_here < at.n_beyond ? exact(at) : exact(back(at));
+    };
     const auto exchanged = [](Place at) { return Reflectance{exact(at).p, exact(at).s}; };
     const auto copied = [](Place at) { return Reflectance{exact(at).s, exact(at).s}; };
     const auto is_root = [](Place at) {  // the sign of r is a convention
       return is_near({squared(given(at).s), squared(given(at).p)}, exact(at));
     };
     lt::diagnose(!made_by(turned), "sides-exchanged", seen);
+    lt::diagnose(!made_by(sorted), "smaller-index-first", seen);
     lt::diagnose(!made_by(exchanged), "s-and-p-exchanged", seen);
     lt::diagnose(!made_by(copied), "s-twice", seen);
     lt::diagnose(!everywhere(is_root), "not-squared", seen);
