@@ -58,23 +58,19 @@ void run(const Options& options, const std::atomic<bool>& cancel) {
     std::cout << lt::sampler_table_named(table, show, picture);
     return;
   }
-  std::filesystem::path out = picture.out;
-  if (out.empty()) out = plot != "none" ? plot + ".svg" : show.view + ".png";
-  if (plot == "none")
-    lt::write_rough_view(show, picture, out, cancel);
-  else
+  const std::filesystem::path out = lt::output_path(picture, show.view, plot);
+  if (plot != "none")
     lt::write_sampler_plot(plot, picture.seed, out);
-  if (cancel) std::cout << "stopped early\n";
-  std::cout << "wrote " << lt::printable(out.string()) << '\n';
+  else
+    lt::write_rough_view(show, picture, out, cancel);
+  lt::print_outcome(out, cancel, true);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::atomic<bool>& cancel = lt::interrupted();
-  const int code = lt::run_program("ch09_metal_and_plastic", [&] {
+  return lt::run_interruptible_program("ch09_metal_and_plastic", [&](const auto& cancel) {
     Options options;
     if (parse(options, argc, argv)) run(options, cancel);
   });
-  return code == 0 && cancel ? lt::interrupted_exit_code : code;
 }

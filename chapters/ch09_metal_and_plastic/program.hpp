@@ -15,7 +15,6 @@ namespace lt {
 /// Writes the picture of a view; those of one estimator in passes, so that one can watch.
 inline void write_rough_view(const RoughViewOptions& show, const RenderOptions& picture,
                              const std::filesystem::path& out, const std::atomic<bool>& cancel) {
-  require_picture_path(out);  // before the work, not after it
   if (show.view == "pair") {
     SampleRange range = range_for(picture);
     range.last = picture.samples_per_pixel;

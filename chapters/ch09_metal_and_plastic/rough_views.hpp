@@ -61,7 +61,7 @@ struct RoughViewOptions {
   if (show.view == "green") return ball_camera(2.5f);
   if (show.view == "floor" || show.view == "pair") return metal_floor_camera();
   if (!shows_room(show)) return row_camera();
-  return show.camera == "far" ? room_camera_far() : room_camera_near();
+  return camera_named(show.camera);
 }
 
 // [with-scattering]

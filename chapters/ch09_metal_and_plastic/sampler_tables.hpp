@@ -66,18 +66,11 @@ namespace lt {
 /// Nanoseconds of each step, as text.
 /// @param rounds  of each measurement; 500 take two seconds in all
 [[nodiscard]] inline std::string rough_cost_table(int rounds) {
-  Pcg32 random(1);
-  std::vector<vec3> wo, wi, u;
-  for (std::size_t i = 0; i < 4096; ++i) {
-    wo.push_back(cosine_hemisphere(random.next_vec2()));
-    wi.push_back(cosine_hemisphere(random.next_vec2()));
-    u.push_back(random.next_vec3());
-  }
+  const CostInputs inputs;
+  const std::vector<vec3>&wo = inputs.wo, &wi = inputs.wi, &u = inputs.u;
   std::string text;
-  const auto row = [&](const char* name, const auto& f) {
-    char line[80];
-    std::snprintf(line, sizeof line, "%-36s %7.1f ns\n", name, nanoseconds(f, rounds));
-    text += line;
+  const auto row = [&](const std::string& name, const auto& f) {
+    text += cost_row(name, nanoseconds(f, rounds));
   };
   const Ggx ggx{0.3f};
   const auto sum = [](vec3 v) { return v.x + v.y + v.z; };  // so that no part is left out
@@ -86,8 +79,8 @@ namespace lt {
   row("a visible facet",
       [&](std::size_t i) { return sum(VisibleNormals::sample(ggx, wo[i], u[i])); });
   const auto rows_of = [&](const std::string& name, const auto& bsdf) {
-    row(("sample, " + name).c_str(), [&](std::size_t i) { return sampled(bsdf, wo[i], u[i]); });
-    row(("pdf, " + name).c_str(), [&](std::size_t i) { return bsdf.pdf(wo[i], wi[i]); });
+    row("sample, " + name, [&](std::size_t i) { return sampled(bsdf, wo[i], u[i]); });
+    row("pdf, " + name, [&](std::size_t i) { return bsdf.pdf(wo[i], wi[i]); });
   };
   rows_of("perfect mirrors, all", White<AllNormals>{ggx, {}});
   rows_of("perfect mirrors, visible", White<VisibleNormals>{ggx, {}});

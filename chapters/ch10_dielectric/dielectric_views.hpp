@@ -87,7 +87,7 @@ template <class Use>
 void with_view(const DielectricViewOptions& show, const Use& use) {
   if (show.view == "room") {
     const TexturedScene room = coated_room(show.texels, show.roughness);
-    use(show.camera == "far" ? room_camera_far() : room_camera_near(), estimator_in(room, show));
+    use(camera_named(show.camera), estimator_in(room, show));
   } else {
     const Studio studio = coated_row(show.view);
     use(row_camera(), estimator_in(studio, show));

@@ -54,25 +54,19 @@ void run(const Options& options, const std::atomic<bool>& cancel) {
     std::cout << lt::coat_table_named(table, show.base);
     return;
   }
-  std::filesystem::path out = picture.out;
-  if (out.empty()) out = plot != "none" ? plot + ".svg" : show.view + ".png";
-  if (plot != "none") {
+  const std::filesystem::path out = lt::output_path(picture, show.view, plot);
+  if (plot != "none")
     lt::write_coat_plot(plot, out);
-  } else {
-    lt::require_picture_path(out);  // before the work, not after it
+  else
     lt::write_dielectric_view(show, picture, out, cancel);
-  }
-  if (cancel) std::cout << "stopped early\n";
-  std::cout << "wrote " << lt::printable(out.string()) << '\n';
+  lt::print_outcome(out, cancel, true);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::atomic<bool>& cancel = lt::interrupted();
-  const int code = lt::run_program("ch10_dielectric", [&] {
+  return lt::run_interruptible_program("ch10_dielectric", [&](const auto& cancel) {
     Options options;
     if (parse(options, argc, argv)) run(options, cancel);
   });
-  return code == 0 && cancel ? lt::interrupted_exit_code : code;
 }

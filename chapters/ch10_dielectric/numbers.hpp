@@ -58,13 +58,8 @@ inline constexpr float table_cosines[] = {1.0f, 0.8f, 0.5f, 0.3f, 0.2f, 0.1f, 0.
 /// Nanoseconds of each step, as text.
 /// @param rounds  of each measurement; 500 take some seconds in all
 [[nodiscard]] inline std::string coat_cost_table(int rounds) {
-  Pcg32 random(1);
-  std::vector<vec3> wo, wi, u;
-  for (std::size_t i = 0; i < 4096; ++i) {
-    wo.push_back(uniform_hemisphere(random.next_vec2()));
-    wi.push_back(uniform_hemisphere(random.next_vec2()));
-    u.push_back(random.next_vec3());
-  }
+  const CostInputs inputs;
+  const std::vector<vec3>&wo = inputs.wo, &wi = inputs.wi, &u = inputs.u;
   std::string text = "                        eval   sample      pdf\n";
   const auto row = [&](const char* name, const auto& bsdf) {
     const auto eval = [&](std::size_t i) { return mean_channel(bsdf.eval(wo[i], wi[i])); };

@@ -2,6 +2,7 @@
 
 #include "ch03_surfaces/three_sphere_room_surfaces.hpp"
 #include "ch04_monte_carlo/pcg32.hpp"
+#include "ch07_fresnel/tests/surface_of.hpp"
 #include "ch08_microfacets/albedo.hpp"
 #include "ch09_metal_and_plastic/all_normals.hpp"
 #include "ch09_metal_and_plastic/rough.hpp"
@@ -10,6 +11,7 @@
 #include "common/testkit/sampler_test.hpp"
 
 using namespace lt;
+using namespace lt::testing;
 
 namespace {
 
@@ -24,12 +26,6 @@ Material green_of_the_thesis() {
 Material with_roughness(Material material, float roughness) {
   material.roughness = roughness;
   return material;
-}
-Surface surface_of(const Material& material) {
-  Surface surface{};
-  surface.outside = true;
-  surface.material = material;
-  return surface;
 }
 template <class T>
 bool is_a(const Material& material) {

@@ -2,6 +2,7 @@
 
 #include "ch03_surfaces/three_sphere_room_surfaces.hpp"
 #include "ch05_rendering_equation/tests/scenes.hpp"
+#include "ch07_fresnel/tests/surface_of.hpp"
 #include "ch10_dielectric/coat_tables.hpp"
 #include "ch10_dielectric/tests/coats.hpp"
 
@@ -9,13 +10,6 @@ using namespace lt;
 using namespace lt::testing;
 
 namespace {
-
-Surface surface_of(const Material& material, bool outside = true) {
-  Surface surface{};
-  surface.outside = outside;
-  surface.material = material;
-  return surface;
-}
 
 template <class T>
 bool is_a(const Material& material) {
@@ -44,7 +38,7 @@ RunningMean seen(const UnderSky& open, float b, const Model& bsdf_at) {
 static_assert(Bsdf<CoatedBsdf<ReciprocalBase>> && Bsdf<CoatedBsdf<ConservingBase>>);
 
 TEST_CASE(
-    "coated at: opaque dielectrics wear a coat, rough or polished; without one they are matt") {
+    "coated at: opaque dielectrics wear a coat, rough or polished, and are matt without one") {
   CHECK(is_a<CoatedDiffuse<ReciprocalBase>>(plaster));
   CHECK(is_a<PolishedDiffuse<ReciprocalBase>>({.roughness = 0.0f}));
   CHECK(is_a<CosineLambert>({.specular = 0.0f}));
