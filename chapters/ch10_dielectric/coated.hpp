@@ -31,8 +31,7 @@ struct CoatedDiffuse {
     if (!(wo.z > 0.0f)) return std::nullopt;
     const auto wi = u.z < coat_probability(wo) ? mirrored(wo, u) : cosine_hemisphere(vec2(u));
     if (!wi) return std::nullopt;
-    const float density = pdf(wo, *wi);
-    if (!(density > 0.0f)) return std::nullopt;  // too close to the horizon for a float
+    const float density = pdf(wo, *wi);  // not 0: one of both lobes has just proposed wi
     return BsdfSample{*wi, eval(wo, *wi) * (wi->z / density), density};
   }
   // [coated-sample]
@@ -70,6 +69,7 @@ struct PolishedDiffuse {
 
   [[nodiscard]] Rgb eval(vec3 wo, vec3 wi) const { return base.eval(wo, wi); }
 
+  // [polished-sample]
   [[nodiscard]] std::optional<BsdfSample> sample(vec3 wo, vec3 u) const {
     if (!(wo.z > 0.0f)) return std::nullopt;
     const float p = coat_probability(wo);
@@ -79,6 +79,7 @@ struct PolishedDiffuse {
     return BsdfSample{wi, base.eval(wo, wi) * pi / (1.0f - p),
                       (1.0f - p) * cosine_hemisphere_pdf(wi.z)};
   }
+  // [polished-sample]
 
   [[nodiscard]] float pdf(vec3 wo, vec3 wi) const {
     if (!(wo.z > 0.0f && wi.z > 0.0f)) return 0.0f;
