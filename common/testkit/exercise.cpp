@@ -39,6 +39,10 @@ std::string text_of(double x, int digits) {
   return text.str();
 }
 
+std::string text_of(glm::dvec3 v) {
+  return '(' + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + ')';
+}
+
 std::string text_of_u(double u) {
   if (u == 1 - 0x1p-53) return "1 - 2^-53";
   return u == 1 - 0x1p-24 ? "1 - 2^-24" : text_of(u);

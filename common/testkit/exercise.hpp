@@ -30,6 +30,8 @@ void measured(const std::string& text);
 /// A number for `seen`.
 /// @param digits  how many at most
 [[nodiscard]] std::string text_of(double x, int digits = 6);
+/// "(0, 0.6, 0.8)"
+[[nodiscard]] std::string text_of(glm::dvec3 v);
 
 /// The same in six digits, but the largest double and the largest float below 1 by their names:
 /// "1 - 2^-53" and "1 - 2^-24".

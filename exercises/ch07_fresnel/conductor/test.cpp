@@ -17,6 +17,7 @@ using exercise::fresnel_conductor;
 using exercise::Rgb;
 using Complex = std::complex<double>;
 using namespace std::complex_literals;
+using lt::text_of;
 
 double squared(double x) {
   return x * x;
@@ -85,11 +86,6 @@ bool is_right_everywhere() {
   return is_near(given(first_wrong()), exact(first_wrong()));
 }
 
-std::string text_of(double x) {
-  std::ostringstream text;
-  text << (std::isnan(x) ? std::abs(x) : x);  // "-nan" says no more than "nan"
-  return text.str();
-}
 std::string gave(Place at, double expected) {
   return "At the cosine " + (at.c > 1 ? "1 + 1e-9" : text_of(at.c)) + ", from index " +
          text_of(at.n_here) + " to eta " + text_of(at.eta) + " and k " + text_of(at.k) +

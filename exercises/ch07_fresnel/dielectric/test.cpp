@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -16,7 +17,7 @@ using exercise::fresnel_dielectric;
 using exercise::Reflectance;
 using exercise::reflectance_dielectric;
 
-const double pi = std::acos(-1.0);
+using std::numbers::pi;
 
 double squared(double x) {
   return x * x;
@@ -49,9 +50,7 @@ Reflectance given(Place at) {
 }
 
 std::string text_of(double x) {
-  std::ostringstream text;
-  text << (std::isnan(x) ? std::abs(x) : std::abs(x) < 1e-12 ? 0 : x);  // no "-nan", no 2e-33
-  return text.str();
+  return lt::text_of(std::abs(x) < 1e-12 ? 0 : x);  // no 2e-33
 }
 std::string text_of(Reflectance x) {
   return "s = " + text_of(x.s) + ", p = " + text_of(x.p);

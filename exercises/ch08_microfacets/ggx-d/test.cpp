@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <sstream>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -18,8 +18,8 @@ using exercise::ggx_d_between;
 using glm::dvec2;
 using glm::vec2;
 using glm::vec3;
-
-const double pi = std::acos(-1.0);
+using lt::text_of;
+using std::numbers::pi;
 
 double square(double x) {
   return x * x;
@@ -40,23 +40,18 @@ bool is_near(double value, double right, double relative = 1e-4) {
   return std::abs(value - right) <= relative * std::abs(right);  // false for NaN
 }
 
-std::string shown(double x) {
-  std::ostringstream text;
-  text << (std::isnan(x) ? std::abs(x) : x);  // "-nan" says no more than "nan"
-  return text.str();
+std::string text_of(vec2 v) {
+  return '(' + text_of(v.x) + ", " + text_of(v.y) + ')';
 }
-std::string shown(vec2 v) {
-  return '(' + shown(v.x) + ", " + shown(v.y) + ')';
-}
-std::string shown(vec3 v) {
-  return '(' + shown(v.x) + ", " + shown(v.y) + ", " + shown(v.z) + ')';
+std::string text_of(vec3 v) {
+  return text_of(glm::dvec3(v));
 }
 template <class First, class... More>
 std::string call(const std::string& name, First first, More... more) {
-  return name + '(' + shown(first) + (... + (", " + shown(more))) + ')';
+  return name + '(' + text_of(first) + (... + (", " + text_of(more))) + ')';
 }
 std::string gave(const std::string& what, double value, double right) {
-  return what + " gave " + shown(value) + " and should give " + shown(right) + '.';
+  return what + " gave " + text_of(value) + " and should give " + text_of(right) + '.';
 }
 bool is_right(const std::string& what, double value, double right, double relative = 1e-4) {
   if (!is_near(value, right, relative)) UNSCOPED_INFO(gave(what, value, right));
@@ -166,7 +161,7 @@ TEST_CASE("the facets, seen from straight above, cover the surface once") {
     REQUIRE(is_right("ggx_d", sum(seen_area, std::atan(alpha)), 0.5, 1e-3));
   }
   const double half = sum([](vec3 h) { return ggx_d(0.3f, h) * h.z; }, std::atan(0.3));
-  lt::measured(shown(100 * half) +
+  lt::measured(text_of(100 * half) +
                " % of a surface lean by less than the angle whose tangent is "
                "alpha: for alpha 0.3 that is 16.7 degrees");
 }

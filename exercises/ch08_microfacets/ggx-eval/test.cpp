@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -13,7 +14,7 @@
 namespace exercise {
 
 namespace {
-const double pi = std::acos(-1.0);
+using std::numbers::pi;
 
 double lambda(double alpha, glm::dvec3 w) {
   return (std::hypot(1, alpha * std::hypot(w.x, w.y) / w.z) - 1) / 2;
@@ -40,6 +41,7 @@ using exercise::half_vector;
 using exercise::pi;
 using exercise::smith_g2;
 using glm::dvec3;
+using lt::text_of;
 
 // To the viewer, and where light comes from: unit vectors with few digits, not in one plane with z.
 const dvec3 wo{0.6, 0, 0.8}, wi{0.28, 0.576, 0.768}, flat{-0.48, 0.8, 0.36};
@@ -69,19 +71,11 @@ bool is_near(double a, double b) {
   return std::abs(a - b) < 1e-6 * std::max(1.0, std::abs(b));  // false for NaN
 }
 
-std::string shown(double x) {
-  std::ostringstream text;
-  text << (std::isnan(x) ? std::abs(x) : x);  // "-nan" says no more than "nan"
-  return text.str();
-}
-std::string shown(dvec3 v) {
-  return '(' + shown(v.x) + ", " + shown(v.y) + ", " + shown(v.z) + ')';
-}
 std::string between(dvec3 o, dvec3 i) {
-  return "wo = " + shown(o) + ", wi = " + shown(i) + " at alpha 0.5";
+  return "wo = " + text_of(o) + ", wi = " + text_of(i) + " at alpha 0.5";
 }
 std::string gave(const std::string& what, double value, double right) {
-  return what + " gave " + shown(value) + " and should give " + shown(right) + '.';
+  return what + " gave " + text_of(value) + " and should give " + text_of(right) + '.';
 }
 
 using Mistake = double (*)(const Parts& p);
@@ -159,8 +153,8 @@ TEST_CASE("half_vector is half-way between, and 1 long") {
   for (const auto& [o, i] : pairs) {
     const dvec3 value = half_vector(o, i);
     const dvec3 right = normalize(o + i);
-    const std::string seen = between(o, i) + ": half_vector gave " + shown(value) +
-                             " and should give " + shown(right) + '.';
+    const std::string seen = between(o, i) + ": half_vector gave " + text_of(value) +
+                             " and should give " + text_of(right) + '.';
     const double cosine = dot(value, right) / length(value);
     lt::diagnose(!(cosine > 1 - 1e-9 && std::abs(length(value) - 1) > 1e-6), "half-not-unit", seen);
     lt::diagnose(!(distance(value, normalize(o - i)) < 1e-9), "difference", seen);
@@ -171,7 +165,7 @@ TEST_CASE("half_vector is half-way between, and 1 long") {
   const dvec3 none = half_vector(wo, -wo);
   lt::diagnose(
       !std::isnan(none.x), "nan-for-opposite",
-      between(wo, -wo) + ": half_vector gave " + shown(none) + " and should give (0, 0, 0).");
+      between(wo, -wo) + ": half_vector gave " + text_of(none) + " and should give (0, 0, 0).");
   REQUIRE(none == lt::close_to(dvec3(0)));
 }
 
@@ -223,7 +217,7 @@ TEST_CASE("at random places: right, the same both ways, and no cosine beyond 1")
       if (largest <= 1 && is_near(value, right) && is_near(changed_over, right)) continue;
       lt::diagnose(
           !(largest > 1 && largest < 1 + 1e-9), "cosine-beyond-one",
-          between(o, i) + ": Fresnel was asked for a cosine of 1 + " + shown(largest - 1) + '.');
+          between(o, i) + ": Fresnel was asked for a cosine of 1 + " + text_of(largest - 1) + '.');
       FAIL(gave(between(o, i), value, right)
            << " Changed over it gave " << changed_over << "; the largest cosine was " << largest);
     }

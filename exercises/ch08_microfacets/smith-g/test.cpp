@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <sstream>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -17,8 +17,8 @@ using exercise::smith_g1;
 using exercise::smith_g2;
 using exercise::smith_lambda;
 using glm::dvec3;
-
-const double pi = std::acos(-1.0);
+using lt::text_of;
+using std::numbers::pi;
 
 double tan(dvec3 w) {
   return std::hypot(w.x, w.y) / std::abs(w.z);
@@ -48,18 +48,10 @@ bool is_near(double a, double b) {
   return std::abs(a - b) < 1e-5 * std::max(1.0, std::abs(b));  // false for NaN
 }
 
-std::string shown(double x) {
-  std::ostringstream text;
-  text << (std::isnan(x) ? std::abs(x) : x);  // "-nan" says no more than "nan"
-  return text.str();
-}
-std::string shown(dvec3 v) {
-  return '(' + shown(v.x) + ", " + shown(v.y) + ", " + shown(v.z) + ')';
-}
 std::string lambda_gave(double alpha, dvec3 w) {
-  return "smith_lambda(" + shown(alpha) + ", " + shown(w) + ')' +
-         (w.z > 1 ? ", z being 1 + 2^-52," : "") + " gave " + shown(smith_lambda(alpha, w)) +
-         " and should give " + shown(right_lambda(alpha, w)) + '.';
+  return "smith_lambda(" + text_of(alpha) + ", " + text_of(w) + ')' +
+         (w.z > 1 ? ", z being 1 + 2^-52," : "") + " gave " + text_of(smith_lambda(alpha, w)) +
+         " and should give " + text_of(right_lambda(alpha, w)) + '.';
 }
 
 // One of the two shares, and what it should be.
@@ -72,9 +64,9 @@ const Share g1{"smith_g1", smith_g1, right_g1};
 const Share g2{"smith_g2", smith_g2, right_g2};
 
 std::string gave(const Share& share, double alpha, dvec3 a, dvec3 b) {
-  return share.name + ('(' + shown(alpha)) + ", " + shown(a) + ", " + shown(b) + ") gave " +
-         shown(share.value(alpha, a, b)) + " and should give " + shown(share.right(alpha, a, b)) +
-         ".";
+  return share.name + ('(' + text_of(alpha)) + ", " + text_of(a) + ", " + text_of(b) + ") gave " +
+         text_of(share.value(alpha, a, b)) + " and should give " +
+         text_of(share.right(alpha, a, b)) + ".";
 }
 bool is_right(const Share& share, double alpha, dvec3 a, dvec3 b) {
   if (is_near(share.value(alpha, a, b), share.right(alpha, a, b))) return true;
@@ -245,6 +237,6 @@ TEST_CASE("at random places: right, the same both ways, and never more than eith
   }
   const dvec3 low = normalize(dvec3(6, 0, 1));
   lt::measured("9.5 degrees above the horizon at alpha 0.5, " +
-               shown(100 * smith_g1(0.5, low, low)) + " % are seen, and " +
-               shown(100 * smith_g2(0.5, low, low)) + " % both seen and lit");
+               text_of(100 * smith_g1(0.5, low, low)) + " % are seen, and " +
+               text_of(100 * smith_g2(0.5, low, low)) + " % both seen and lit");
 }
