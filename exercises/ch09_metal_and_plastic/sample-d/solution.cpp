@@ -1,14 +1,11 @@
 #include "api.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace exercise {
 
-namespace {
-
-const double pi = std::acos(-1.0);
-
-}  // namespace
+using std::numbers::pi;
 
 glm::dvec3 sample_facet(double alpha, glm::dvec2 u) {
   // The share of the surface that leans by less than theta is tan^2 / (alpha^2 + tan^2): solved

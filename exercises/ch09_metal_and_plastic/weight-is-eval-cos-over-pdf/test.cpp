@@ -3,18 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "common/testkit/exercise.hpp"
 
+using std::numbers::pi;
+
 namespace exercise {
 
 namespace {
-const double pi = std::acos(-1.0);
 
 double lambda(double alpha, glm::dvec3 w) {
   return (std::hypot(1, alpha * std::hypot(w.x, w.y) / w.z) - 1) / 2;
@@ -45,6 +46,7 @@ using exercise::sample_facet;
 using exercise::smith_g2;
 using glm::dvec2;
 using glm::dvec3;
+using lt::text_of;
 
 const double alpha = 0.4;
 const dvec3 wo{0.48, -0.64, 0.6}, flat{0.96, 0, 0.28};
@@ -73,16 +75,8 @@ struct Parts {
 bool is_near(double a, double b) {
   return std::abs(a - b) < 1e-6 * std::max(1.0, std::abs(b));  // false for NaN
 }
-std::string shown(double x) {
-  std::ostringstream text;
-  text << (std::isnan(x) ? std::abs(x) : x);  // "-nan" says no more than "nan"
-  return text.str();
-}
-std::string shown(dvec3 v) {
-  return '(' + shown(v.x) + ", " + shown(v.y) + ", " + shown(v.z) + ')';
-}
 std::string facing(const Parts& p) {
-  return "wo = " + shown(p.o) + " at a facet " + shown(p.h) + ", alpha 0.4,";
+  return "wo = " + text_of(p.o) + " at a facet " + text_of(p.h) + ", alpha 0.4,";
 }
 
 // Places whose facets mirror wo up.
@@ -99,8 +93,8 @@ const std::array<std::pair<const char*, Mistake>, 7> pdf_mistakes{{
     {"jacobian-without-four", [](const Parts& p) { return p.d * p.h.z / p.cosine; }},
     {"jacobian-four-alone", [](const Parts& p) { return p.d * p.h.z / 4; }},
     {"cosine-of-h-lost", [](const Parts& p) { return p.d / (4 * p.cosine); }},
-    {"cosine-sampled", [](const Parts& p) { return p.i.z / exercise::pi; }},
-    {"cosine-sampled", [](const Parts& p) { return p.h.z / exercise::pi; }},
+    {"cosine-sampled", [](const Parts& p) { return p.i.z / pi; }},
+    {"cosine-sampled", [](const Parts& p) { return p.h.z / pi; }},
 }};
 const std::array<std::pair<const char*, Mistake>, 17> weight_mistakes{{
     {"cosine-of-wo", [](const Parts& p) { return p.f() * p.o.z / p.pdf(); }},
@@ -133,8 +127,8 @@ bool is(double Sample::*member, Mistake formula) {
 
 // The first place's value of pdf or weight.
 std::string gave(const std::string& name, double value, double right) {
-  return facing(Parts(wo, up[0])) + " gave a " + name + " of " + shown(value) +
-         " and should give " + shown(right) + '.';
+  return facing(Parts(wo, up[0])) + " gave a " + name + " of " + text_of(value) +
+         " and should give " + text_of(right) + '.';
 }
 
 }  // namespace
@@ -145,8 +139,8 @@ TEST_CASE("wi is where the facet mirrors wo, or there is none") {
       const Parts p(flat, {x, y});
       const std::optional<Sample> sample = ggx_sample(alpha, telling, flat, {x, y});
       const std::string seen =
-          facing(p) + " gave " + (sample ? shown(sample->wi) : "nothing") + " and should give " +
-          (p.i.z > 0 ? shown(p.i) : "nothing, for it goes to " + shown(p.i)) + '.';
+          facing(p) + " gave " + (sample ? text_of(sample->wi) : "nothing") + " and should give " +
+          (p.i.z > 0 ? text_of(p.i) : "nothing, for it goes to " + text_of(p.i)) + '.';
       const auto is_wi = [&](dvec3 w) { return sample && distance(sample->wi, w) < 1e-6; };
       lt::diagnose(p.cosine > 0 || !is_wi(-2 * p.cosine * p.h - flat), "absolute-cosine", seen);
       lt::diagnose(p.i.z > 0 || !is_wi(p.i), "below-horizon", seen);
@@ -173,10 +167,11 @@ TEST_CASE("the density is that of wi, and the weight f times the cosine over it"
 }
 
 TEST_CASE("at 10,000 draws the weight is f times the cosine over the density") {
+  const int draws = lt::seeds().size() == 1 ? 10'000 : 500;
   for (const auto seed : lt::seeds()) {
     lt::TestRandom random(seed);
     double largest = 0;
-    for (int n = 0; n < (lt::seeds().size() == 1 ? 10'000 : 500); ++n) {
+    for (int n = 0; n < draws; ++n) {
       dvec3 o = random.direction();
       o.z = std::abs(o.z) + 0.01;
       o = normalize(o);
@@ -193,7 +188,7 @@ TEST_CASE("at 10,000 draws the weight is f times the cosine over the density") {
       largest = std::max(largest, sample->weight / telling(p.cosine));
     }
     if (seed == 1)
-      lt::measured("the largest of 10,000 weights was " + shown(largest) +
+      lt::measured("the largest of 10,000 weights was " + text_of(largest) +
                    " times what the facet reflects: a bright dot in a picture");
   }
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <glm/glm.hpp>
+#include <numbers>
 #include <optional>
 
 #include "common/testkit/not_written.hpp"
@@ -30,7 +31,7 @@ struct CoatedBase {
 /// The coat's facets (chapter 8): their area, 1/sr, and how much of it is hidden along `w`.
 [[nodiscard]] inline double ggx_d(double alpha, glm::dvec3 h) {
   const double a = alpha / (h.x * h.x + h.y * h.y + alpha * alpha * h.z * h.z);
-  return a * a / std::acos(-1.0);
+  return a * a / std::numbers::pi;
 }
 [[nodiscard]] inline double ggx_lambda(double alpha, glm::dvec3 w) {
   const double squared_tan = (w.x * w.x + w.y * w.y) / (w.z * w.z);
@@ -54,7 +55,7 @@ struct CoatedBase {
   const glm::dvec3 view = glm::normalize(glm::dvec3(alpha * wo.x, alpha * wo.y, wo.z));
   const double height = (1.0 - u.y) * (1.0 + view.z);
   const double radius = std::sqrt(std::fmax(0.0, 1.0 - (height - view.z) * (height - view.z)));
-  const double phi = 2.0 * std::acos(-1.0) * u.x;
+  const double phi = 2.0 * std::numbers::pi * u.x;
   const double x = radius * std::cos(phi) + view.x;
   const double y = radius * std::sin(phi) + view.y;
   const glm::dvec3 h = glm::normalize(glm::dvec3(alpha * x, alpha * y, height));
@@ -78,7 +79,7 @@ struct CoatedBase {
 /// A direction that follows the cosine (chapter 6): its density is z / pi.
 [[nodiscard]] inline glm::dvec3 cosine_hemisphere(glm::dvec2 u) {
   const double radius = std::sqrt(u.x);
-  const double phi = 2.0 * std::acos(-1.0) * u.y;
+  const double phi = 2.0 * std::numbers::pi * u.y;
   return {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1.0 - u.x)};
 }
 

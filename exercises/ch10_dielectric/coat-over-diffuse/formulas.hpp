@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <optional>
 #include <sstream>
@@ -13,10 +14,13 @@
 #include <vector>
 
 #include "api.hpp"
+#include "common/testkit/exercise.hpp"
 
-namespace exercise {
+namespace oracle {
 
-inline const double pi = std::acos(-1.0);
+using namespace exercise;
+using lt::text_of;
+using std::numbers::pi;
 
 inline const CoatedBase red{0.75, 0.4, 1.5};
 
@@ -49,12 +53,6 @@ inline double right_weight(P p) {
 }
 
 using Formula = double (*)(P p);
-
-inline std::string shown(double x) {
-  std::ostringstream text;
-  text << (std::isnan(x) ? std::abs(x) : x);  // "-nan" says no more than "nan"
-  return text.str();
-}
 
 // Directions above in rows of equal height; then those below; then what leads nowhere.
 inline constexpr int rows = 16, columns = 24, fine = 5;
@@ -101,4 +99,4 @@ inline std::string worst(glm::dvec3 wo, const std::vector<double>& counts,
   return text.str();
 }
 
-}  // namespace exercise
+}  // namespace oracle

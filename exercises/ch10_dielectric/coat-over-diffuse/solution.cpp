@@ -1,14 +1,11 @@
 #include "api.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace exercise {
 
-namespace {
-
-const double pi = std::acos(-1.0);
-
-}  // namespace
+using std::numbers::pi;
 
 double eval(const CoatedBase& material, glm::dvec3 wo, glm::dvec3 wi) {
   if (wo.z <= 0.0 || wi.z <= 0.0) return 0.0;

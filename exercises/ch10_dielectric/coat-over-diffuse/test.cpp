@@ -13,7 +13,7 @@
 
 namespace {
 
-using namespace exercise;
+using namespace oracle;
 using glm::dvec2, glm::dvec3;
 
 // Directions with few digits.
@@ -28,13 +28,10 @@ bool is_same(const std::optional<dvec3>& a, const std::optional<dvec3>& b) {
   return a && b && distance(*a, *b) < 1e-9;
 }
 std::string at(dvec3 wo, dvec3 wi) {
-  const auto text = [](dvec3 v) {
-    return '(' + shown(v.x) + ", " + shown(v.y) + ", " + shown(v.z) + ')';
-  };
-  return " with tint 0.75, alpha 0.4, ior 1.5, wo " + text(wo) + ", wi " + text(wi);
+  return " with tint 0.75, alpha 0.4, ior 1.5, wo " + text_of(wo) + ", wi " + text_of(wi);
 }
 std::string gave(double value, double right) {
-  return " gave " + shown(value) + " and should give " + shown(right) + '.';
+  return " gave " + text_of(value) + " and should give " + text_of(right) + '.';
 }
 
 using Mistakes = std::vector<std::pair<const char*, Formula>>;
@@ -143,8 +140,8 @@ TEST_CASE("sample: one of two ways, weighed as both") {
     weights.push_back({"The weight of a sample" + at(wo, made->wi), parts, made->weight});
   }
   REQUIRE(!weights.empty());
-  lt::diagnose(!is_swapped, "choice-swapped", "At u.z below " + shown(p) + '.');
-  lt::diagnose(!is_shared, "choice-shared", "At u.x below " + shown(p) + '.');
+  lt::diagnose(!is_swapped, "choice-swapped", "At u.z below " + text_of(p) + '.');
+  lt::diagnose(!is_shared, "choice-shared", "At u.x below " + text_of(p) + '.');
   lt::diagnose(!is_straight || lost.empty(), "base-for-lost-coat", lost);
   lt::diagnose(wrong_pdf.empty() || !is_chosen_pdf, "pdf-of-chosen-lobe-only", wrong_pdf);
   if (!wrong_pdf.empty()) FAIL(wrong_pdf);

@@ -17,19 +17,15 @@ using exercise::coat_probability;
 using exercise::Lobe;
 using exercise::one_of_both;
 using glm::dvec2, glm::dvec3;
+using lt::text_of, lt::text_of_u;
 
 const double almost_one = 1.0 - 0x1p-53;
 
 bool is_near(double a, double b) {
   return std::abs(a - b) < 1e-6 * std::max(1.0, std::abs(b));  // false for NaN
 }
-std::string shown(double x) {
-  std::ostringstream text;
-  text << (std::isnan(x) ? std::abs(x) : x);  // "-nan" says no more than "nan"
-  return x == almost_one ? "1 - 2^-53" : text.str();
-}
 std::string gave(const std::string& what, double value, double right) {
-  return what + " gave " + shown(value) + " and should give " + shown(right) + '.';
+  return what + " gave " + text_of(value) + " and should give " + text_of(right) + '.';
 }
 bool is_right(const std::string& what, double value, double right) {
   if (!is_near(value, right)) UNSCOPED_INFO(gave(what, value, right));
@@ -64,8 +60,8 @@ double right(const Case& c) {
   return c.z < c.p ? 3 / c.p : 8 / (1 - c.p);
 }
 std::string gave(const Case& c) {
-  return gave("A coat that brings 3 and a base that brings 8, with p = " + shown(c.p) +
-                  " and u.z = " + shown(c.z) + ',',
+  return gave("A coat that brings 3 and a base that brings 8, with p = " + text_of(c.p) +
+                  " and u.z = " + text_of_u(c.z) + ',',
               asked(c.p, c.z).value, right(c));
 }
 using Formula = double (*)(const Case& c);
@@ -97,7 +93,7 @@ const std::array<std::pair<double, double>, 4> coats{
 TEST_CASE("one of the two is asked, with the numbers that are its own") {
   for (const auto& [p, z] : cases) {
     const Asked result = asked(p, z);
-    const std::string at = "With p = " + shown(p) + " and u.z = " + shown(z) +
+    const std::string at = "With p = " + text_of(p) + " and u.z = " + text_of(z) +
                            " the coat was asked " + std::to_string(result.coat.size()) +
                            " times and the base " + std::to_string(result.base.size()) + " times.";
     lt::diagnose(result.coat.empty() || result.base.empty(), "both-asked", at);
@@ -145,15 +141,16 @@ TEST_CASE("the mean is that of both together, whatever p is") {
   const auto coat = [](dvec2 u) { return 2 * u.x; };
   const auto base = [](dvec2 u) { return 6 * u.x * u.y; };
   std::ostringstream report;
+  const int samples = lt::seeds().size() == 1 ? 50'000 : 10'000;
   for (const auto seed : lt::seeds()) {
     lt::TestRandom random(seed);
     for (const double p : {0.1, 0.5, 0.9}) {
       lt::RunningMean mean;
-      for (int i = 0; i < (lt::seeds().size() == 1 ? 50'000 : 10'000); ++i) {
+      for (int i = 0; i < samples; ++i) {
         const double x = random.uniform(), y = random.uniform(), z = random.uniform();
         mean.add(one_of_both(coat, base, p, {x, y, z}));
       }
-      INFO(gave("The mean with p = " + shown(p), mean.mean(), 2.5));
+      INFO(gave("The mean with p = " + text_of(p), mean.mean(), 2.5));
       REQUIRE(lt::z_test(mean, 2.5).agrees(0.01));
       if (seed == 1)
         report << " " << mean.mean() << " +- " << mean.standard_error() << " with p = " << p << ';';
@@ -172,7 +169,7 @@ TEST_CASE("the coat is asked in proportion to what it brings") {
         gave("coat_probability(0.25, 0.8)", coat_probability(0.25, 0.8), right_p(0.25, 0.8)));
   }
   for (const auto& [share, tint] : coats) {
-    REQUIRE(is_right("coat_probability(" + shown(share) + ", " + shown(tint) + ')',
+    REQUIRE(is_right("coat_probability(" + text_of(share) + ", " + text_of(tint) + ')',
                      coat_probability(share, tint), right_p(share, tint)));
     // Under a sky of 1 both lobes bring their mean, and every estimate is that of both.
     const double coat = share, base = (1 - share) * tint;

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <sstream>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -17,8 +17,8 @@ using exercise::Rgb;
 using exercise::transmittance;
 using exercise::Vertex;
 using glm::dvec3;
-
-const double pi = std::acos(-1.0);
+using lt::text_of;
+using std::numbers::pi;
 
 // Channel by channel, by the definition.
 Rgb right(Rgb attenuation, double distance) {
@@ -32,16 +32,8 @@ bool is_near(Rgb a, Rgb b) {
   return distance(a, b) < 1e-6;  // float arithmetic passes, NaN does not
 }
 
-std::string shown(double x) {
-  std::ostringstream text;
-  text << (std::isnan(x) ? std::abs(x) : x);  // "-nan" says no more than "nan"
-  return text.str();
-}
-std::string shown(dvec3 c) {
-  return '(' + shown(c.x) + ", " + shown(c.y) + ", " + shown(c.z) + ')';
-}
 std::string gave(const std::string& what, Rgb value, Rgb expected) {
-  return what + " gave " + shown(value) + " and should give " + shown(expected) + '.';
+  return what + " gave " + text_of(value) + " and should give " + text_of(expected) + '.';
 }
 bool is_right(const std::string& what, Rgb value, Rgb expected) {
   if (!is_near(value, expected)) UNSCOPED_INFO(gave(what, value, expected));
@@ -95,8 +87,8 @@ Rgb pane(double theta, double index) {
   return pane_transmittance(green, thickness, std::cos(theta), 1, index);
 }
 std::string pane_call(double theta, double index) {
-  return "A pane 0.4 m thick, of attenuation " + shown(green) + " and index " + shown(index) +
-         ", in air, at " + shown(theta * 180 / pi) + " degrees,";
+  return "A pane 0.4 m thick, of attenuation " + text_of(green) + " and index " + text_of(index) +
+         ", in air, at " + text_of(theta * 180 / pi) + " degrees,";
 }
 bool pane_is(const Length& length) {
   for (const double degrees : {20.0, 45.0, 65.0})
@@ -163,12 +155,12 @@ Rgb left_along(const Path& path, const Segments& length) {
 }  // namespace
 
 TEST_CASE("what is left falls by the same share on each metre") {
-  const std::string call = "transmittance(" + shown(green) + ", ";
+  const std::string call = "transmittance(" + text_of(green) + ", ";
   for (const auto& [tag, formula] : way_mistakes)
     lt::diagnose(!way_is(formula), tag,
                  gave(call + "0.8)", transmittance(green, 0.8), right(green, 0.8)));
   for (const double way : {0.0, 0.3, 0.8, 1.5, 40.0})
-    REQUIRE(is_right(call + shown(way) + ')', transmittance(green, way), right(green, way)));
+    REQUIRE(is_right(call + text_of(way) + ')', transmittance(green, way), right(green, way)));
   REQUIRE(is_right("transmittance((0, 0, 0), 5)", transmittance(Rgb(0.0), 5), Rgb(1.0)));
 }
 
@@ -194,8 +186,8 @@ TEST_CASE("a pane is crossed along the bent ray") {
 TEST_CASE("along a path only the segments inside an object take light away") {
   const Rgb value = path_transmittance(camera, simple);
   const Rgb longer = path_transmittance(camera, reflected);
-  const std::string what = "A path through 0.3 m of attenuation " + shown(green) +
-                           " and 0.4 m of " + shown(brown) + ", with 2.1 m of air,";
+  const std::string what = "A path through 0.3 m of attenuation " + text_of(green) +
+                           " and 0.4 m of " + text_of(brown) + ", with 2.1 m of air,";
   if (way_is_right())
     for (const auto& [tag, length] : path_mistakes)
       lt::diagnose(!is_near(value, left_along(simple, length)) ||
@@ -217,7 +209,7 @@ TEST_CASE("at random places") {
     lt::TestRandom random(seed);
     for (int i = 0; i < 200; ++i) {
       const double a = random.uniform(0, 2), b = random.uniform(0, 2);
-      REQUIRE(is_right("A way of " + shown(a) + " m and one of " + shown(b) + " m",
+      REQUIRE(is_right("A way of " + text_of(a) + " m and one of " + text_of(b) + " m",
                        transmittance(brown, a + b), right(brown, a) * right(brown, b)));
       Path path(1 + random.next_bits() % 6);
       for (Vertex& vertex : path) {
@@ -245,6 +237,6 @@ TEST_CASE("a parallel beam through a glass ball") {
   }
   const Rgb mean = (1.0 - (1.0 + 2.0 * green) * glm::exp(-2.0 * green)) / (2.0 * green * green);
   REQUIRE(is_right("The mean over the beam", sum, mean));
-  lt::measured("a ball of radius 1 m and attenuation " + shown(green) + " lets " + shown(sum) +
+  lt::measured("a ball of radius 1 m and attenuation " + text_of(green) + " lets " + text_of(sum) +
                " of a parallel beam through");
 }

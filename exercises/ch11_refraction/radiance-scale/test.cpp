@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +17,8 @@ using exercise::choose;
 using exercise::crossing_scale;
 using exercise::light_at_camera;
 using exercise::Transport;
+using lt::text_of;
+using lt::text_of_u;
 
 constexpr Transport radiance = Transport::radiance, importance = Transport::importance;
 const double almost_one = 1.0 - 0x1p-53;
@@ -30,16 +31,11 @@ bool is_near(double a, double b) {
   return std::abs(a - b) < 1e-6 * std::max(1.0, std::abs(b));  // float passes, NaN does not
 }
 
-std::string shown(double x) {
-  std::ostringstream text;
-  text << (std::isnan(x) ? std::abs(x) : x);  // "-nan" says no more than "nan"
-  return x == almost_one ? "1 - 2^-53" : text.str();
-}
 std::string shown(Transport transport) {
   return transport == radiance ? "radiance" : "importance";
 }
 std::string gave(const std::string& what, double value, double expected) {
-  return what + " gave " + shown(value) + " and should give " + shown(expected) + '.';
+  return what + " gave " + text_of(value) + " and should give " + text_of(expected) + '.';
 }
 bool is_right(const std::string& what, double value, double expected) {
   if (!is_near(value, expected)) UNSCOPED_INFO(gave(what, value, expected));
@@ -55,7 +51,7 @@ double right_scale(double here, double beyond, Transport transport) {
 const std::array<std::pair<double, double>, 5> crossings{
     {{1, 1.5}, {1.5, 1}, {1.33, 1.5}, {1.5, 1.33}, {1, 2.4}}};
 std::string call(double here, double beyond, Transport transport) {
-  return "crossing_scale(" + shown(here) + ", " + shown(beyond) + ", " + shown(transport) + ')';
+  return "crossing_scale(" + text_of(here) + ", " + text_of(beyond) + ", " + shown(transport) + ')';
 }
 std::string gave(double here, double beyond, Transport transport) {
   return gave(call(here, beyond, transport), crossing_scale(here, beyond, transport),
@@ -113,11 +109,11 @@ Choice right_choice(const Case& c) {
 }
 std::string shown(const Choice& choice) {
   return (choice.goes_through ? "a path through, of weight " : "a reflected path of weight ") +
-         shown(choice.weight);
+         text_of(choice.weight);
 }
 std::string gave(const Case& c) {
-  return "choose(" + shown(c.share) + ", " + shown(c.u) + ", " + shown(c.here) + ", " +
-         shown(c.beyond) + ", " + shown(c.transport) + ") gave " + shown(answer(c)) +
+  return "choose(" + text_of(c.share) + ", " + text_of_u(c.u) + ", " + text_of(c.here) + ", " +
+         text_of(c.beyond) + ", " + shown(c.transport) + ") gave " + shown(answer(c)) +
          " and should give " + shown(right_choice(c)) + '.';
 }
 bool is_right(const Case& c) {
@@ -161,7 +157,7 @@ const std::array<std::pair<const char*, Left>, 5> path_mistakes{{
 std::string gave(const Path& path) {
   std::string media;
   for (const double index : path)
-    media += (media.empty() ? "" : ", ") + shown(index);
+    media += (media.empty() ? "" : ", ") + text_of(index);
   return gave("light_at_camera(8, {" + media + "})", light_at_camera(8, path), right_left(path));
 }
 
@@ -192,8 +188,8 @@ TEST_CASE("crossing a surface: radiance changes with the square of the index, en
       REQUIRE(is_right(call(here, beyond, transport), crossing_scale(here, beyond, transport),
                        right_scale(here, beyond, transport)));
   lt::measured("radiance that comes out of glass of index 1.5 is " +
-               shown(crossing_scale(1, 1.5, radiance)) + " of what it was, and into glass " +
-               shown(crossing_scale(1.5, 1, radiance)) + " times as much");
+               text_of(crossing_scale(1, 1.5, radiance)) + " of what it was, and into glass " +
+               text_of(crossing_scale(1.5, 1, radiance)) + " times as much");
 }
 
 TEST_CASE("each way as often as it has light, and nothing left to weigh but the scale") {
@@ -205,9 +201,9 @@ TEST_CASE("each way as often as it has light, and nothing left to weigh but the 
     for (const auto& [tag, weight] : weight_mistakes)
       diagnose_all(
           tag, cases,
-          [&](const Case& c) {
+          [w = weight](const Case& c) {
             return answer(c).goes_through == right_choice(c).goes_through &&
-                   is_near(answer(c).weight, weight(c));
+                   is_near(answer(c).weight, w(c));
           },
           [](const Case& c) { return is_near(answer(c).weight, right_weight(c)); });
   for (const Case& c : cases)
@@ -223,7 +219,7 @@ TEST_CASE("along a path each crossing counts") {
   if (scale_is_right())
     for (const auto& [tag, left] : path_mistakes)
       diagnose_all(
-          tag, paths, [&](const Path& p) { return is_near(light_at_camera(8, p), left(p)); },
+          tag, paths, [f = left](const Path& p) { return is_near(light_at_camera(8, p), f(p)); },
           [](const Path& p) { return is_near(light_at_camera(8, p), right_left(p)); });
   for (const Path& path : paths) {
     INFO(gave(path));

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <sstream>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -13,9 +13,9 @@ namespace {
 
 using exercise::refracted;
 using glm::dvec3;
+using lt::text_of;
+using std::numbers::pi;
 using MaybeDirection = std::optional<dvec3>;
-
-const double pi = std::acos(-1.0);
 
 // A ray that meets a surface.
 struct Case {
@@ -49,28 +49,23 @@ bool is_same(const MaybeDirection& a, const MaybeDirection& b) {
   return distance(*a, *b) < 1e-9;
 }
 
-std::string shown(double x) {
-  std::ostringstream text;
-  text << (std::isnan(x) ? std::abs(x) : x + 0.0);  // "-nan" and "-0" say no more
-  return text.str();
-}
 std::string shown(dvec3 v) {
-  return '(' + shown(v.x) + ", " + shown(v.y) + ", " + shown(v.z) + ')';
+  return text_of(v + 0.0);  // "-0" says no more than "0"
 }
 std::string shown(const MaybeDirection& w) {
   if (!w) return "nothing";
   std::string text = shown(*w);
-  if (std::abs(length(*w) - 1) > 1e-9) text += " (" + shown(length(*w)) + " long)";
+  if (std::abs(length(*w) - 1) > 1e-9) text += " (" + text_of(length(*w)) + " long)";
   return text;
 }
 std::string gave(const Case& c) {
   const MaybeDirection value = answer(c);
   const MaybeDirection expected = right(c);
   std::string text = "wo " + shown(c.wo) + ", normal " + shown(c.normal) + ", index " +
-                     shown(c.n_outside) + " outside and " + shown(c.n_inside) + " inside: gave " +
-                     shown(value) + " and should give " + shown(expected) + '.';
+                     text_of(c.n_outside) + " outside and " + text_of(c.n_inside) +
+                     " inside: gave " + shown(value) + " and should give " + shown(expected) + '.';
   if (value && expected && distance(*value, *expected) < 1e-4)
-    text += " That is off by " + shown(distance(*value, *expected)) + '.';
+    text += " That is off by " + text_of(distance(*value, *expected)) + '.';
   return text;
 }
 bool is_right(const Case& c) {
@@ -196,7 +191,7 @@ TEST_CASE("beyond the critical angle no ray gets through") {
       const MaybeDirection value = answer(c);
       if (!value) continue;
       const dvec3 reflected = 2 * dot(c.wo, h) * h - c.wo;
-      const std::string seen = "At " + shown(degrees) + " degrees, " + gave(c);
+      const std::string seen = "At " + text_of(degrees) + " degrees, " + gave(c);
       lt::diagnose(!is_nothing(value), "nan-beyond-critical", seen);
       // Only who is right before the critical angle; others have been named already.
       if (!is_same(answer(cases[0]), right(cases[0]))) continue;
@@ -240,6 +235,6 @@ TEST_CASE("at random surfaces: unit, by Snell, and the way back leads to wo") {
     }
   }
   const dvec3 wi = *refracted({std::sin(pi / 4), std::cos(pi / 4), 0}, up, 1, 1.5);
-  lt::measured("a ray at 45 degrees runs on at " + shown(std::acos(-wi.y) * 180 / pi) +
+  lt::measured("a ray at 45 degrees runs on at " + text_of(std::acos(-wi.y) * 180 / pi) +
                " degrees in glass; out of glass, none beyond 41.81 degrees gets through");
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <glm/glm.hpp>
+#include <numbers>
 #include <optional>
 
 #include "common/testkit/not_written.hpp"
@@ -19,7 +20,7 @@ struct Ggx {
   [[nodiscard]] double d(glm::dvec3 h) const {
     if (!(h.z > 0.0)) return 0.0;
     const double a = alpha / (h.x * h.x + h.y * h.y + alpha * alpha * h.z * h.z);
-    return a * a / std::acos(-1.0);
+    return a * a / std::numbers::pi;
   }
   /// Facet area that is hidden along `w`, from either side, for each unit that is seen.
   [[nodiscard]] double lambda(glm::dvec3 w) const {
@@ -40,7 +41,7 @@ struct VisibleNormals {
     const auto view = glm::normalize(glm::dvec3(ggx.alpha * wo.x, ggx.alpha * wo.y, wo.z));
     const double height = (1.0 - u.y) * (1.0 + view.z);
     const double radius = std::sqrt(std::fmax(0.0, 1.0 - (height - view.z) * (height - view.z)));
-    const double phi = 2.0 * std::acos(-1.0) * u.x;
+    const double phi = 2.0 * std::numbers::pi * u.x;
     const double x = radius * std::cos(phi) + view.x;
     const double y = radius * std::sin(phi) + view.y;
     return glm::normalize(glm::dvec3(ggx.alpha * x, ggx.alpha * y, height));

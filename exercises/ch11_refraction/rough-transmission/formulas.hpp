@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <optional>
 #include <sstream>
@@ -13,10 +14,13 @@
 #include <vector>
 
 #include "api.hpp"
+#include "common/testkit/exercise.hpp"
 
-namespace exercise {
+namespace oracle {
 
-inline const double pi = std::acos(-1.0);
+using namespace exercise;
+using lt::text_of;
+using std::numbers::pi;
 
 inline double square(double x) {
   return x * x;
@@ -67,15 +71,6 @@ inline double wrong_sum(P p) {
 
 using Formula = double (*)(P p);
 
-inline std::string shown(double x) {
-  std::ostringstream text;
-  text << (std::isnan(x) ? std::abs(x) : x);  // "-nan" says no more than "nan"
-  return text.str();
-}
-inline std::string shown(glm::dvec3 v) {
-  return '(' + shown(v.x) + ", " + shown(v.y) + ", " + shown(v.z) + ')';
-}
-
 // Of directions below, in rows of equal height; then of those above; then of what leads nowhere.
 inline constexpr int rows = 16, columns = 24, fine = 5;
 inline std::vector<double> expected_shares(const RoughGlass& glass, glm::dvec3 wo) {
@@ -113,7 +108,7 @@ inline std::string worst(const RoughGlass& glass, glm::dvec3 wo, const std::vect
   for (std::size_t i = 0; i < counts.size(); ++i)
     most = off(i) > off(most) ? i : most;
   std::ostringstream text;
-  text << "From index " << glass.n_here << " to " << glass.n_beyond << ", with wo " << shown(wo)
+  text << "From index " << glass.n_here << " to " << glass.n_beyond << ", with wo " << text_of(wo)
        << ", ";
   if (most == rows * columns + 1) text << "of all samples those that lead nowhere";
   if (most == rows * columns) text << "of all samples those that point up";
@@ -125,4 +120,4 @@ inline std::string worst(const RoughGlass& glass, glm::dvec3 wo, const std::vect
   return text.str();
 }
 
-}  // namespace exercise
+}  // namespace oracle

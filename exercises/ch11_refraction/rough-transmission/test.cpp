@@ -5,7 +5,6 @@
 #include <array>
 #include <functional>
 #include <numeric>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,7 +14,7 @@
 
 namespace {
 
-using namespace exercise;
+using namespace oracle;
 using glm::dvec2, glm::dvec3;
 
 const RoughGlass entering{{0.5}, 1, 1.5}, leaving{{0.5}, 1.5, 1};
@@ -31,11 +30,12 @@ bool is_same(const std::optional<dvec3>& a, const std::optional<dvec3>& b) {
   return a && b && distance(*a, *b) < 1e-6;
 }
 std::string gave(double value, double right) {
-  return " gave " + shown(value) + " and should give " + shown(right) + ". ";
+  return " gave " + text_of(value) + " and should give " + text_of(right) + ". ";
 }
 std::string at(const RoughGlass& glass, dvec3 wo, dvec3 wi) {
-  return " at alpha " + shown(glass.ggx.alpha) + ", index " + shown(glass.n_here) + " here and " +
-         shown(glass.n_beyond) + " beyond, wo " + shown(wo) + ", wi " + shown(wi);
+  return " at alpha " + text_of(glass.ggx.alpha) + ", index " + text_of(glass.n_here) +
+         " here and " + text_of(glass.n_beyond) + " beyond, wo " + text_of(wo) + ", wi " +
+         text_of(wi);
 }
 bool is_right(const std::string& what, double value, double right) {
   if (!is_near(value, right)) UNSCOPED_INFO(what << gave(value, right));
@@ -104,8 +104,8 @@ TEST_CASE("the half vector follows from Snell's law, and points up") {
   for (const auto& [nh, nb] : {std::pair(1.0, 1.5), std::pair(1.5, 1.0)}) {
     const auto& [wo, wi] = pairs[0];
     const dvec3 h = transmission_half_vector(wo, wi, nh, nb), right = right_h(wo, wi, nh, nb);
-    const std::string seen = "The half vector" + at({{0.5}, nh, nb}, wo, wi) + " gave " + shown(h) +
-                             " and should give " + shown(right) + '.';
+    const std::string seen = "The half vector" + at({{0.5}, nh, nb}, wo, wi) + " gave " +
+                             text_of(h) + " and should give " + text_of(right) + '.';
     const auto is_along = [&](dvec3 v) { return length(cross(h, normalize(v))) < 1e-6; };
     lt::diagnose(!is_along(wo + wi), "reflection-half-vector", seen);
     lt::diagnose(!is_along(nb * wo + nh * wi), "half-vector-indices", seen);
@@ -215,7 +215,7 @@ TEST_CASE("at random places: right, and the same both ways up to the squared ind
     in += there ? there->weight / 10'000 : 0;
     out += back ? back->weight / 10'000 : 0;
   }
-  lt::measured("seen straight from above, frosted glass of alpha 0.5 shows " + shown(in) +
-               " of the radiance within it, and from within " + shown(out) +
+  lt::measured("seen straight from above, frosted glass of alpha 0.5 shows " + text_of(in) +
+               " of the radiance within it, and from within " + text_of(out) +
                " times the radiance outside");
 }
