@@ -1,6 +1,7 @@
 #include "runner/lesson.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "common/error.hpp"
 #include "common/files.hpp"
@@ -103,8 +104,10 @@ std::string Lesson::answer_fingerprint(const Exercise& exercise) const {
 std::string Lesson::test_fingerprint(const Exercise& exercise) const {
   // An update may be bringing a new one at this very moment.
   try {
+    const auto formulas = exercise.folder / "formulas.hpp";  // of a long test
     return fingerprint(read_file(exercise.folder / "test.cpp") +
-                       read_file(exercise.folder / "api.hpp"));
+                       read_file(exercise.folder / "api.hpp") +
+                       (std::filesystem::exists(formulas) ? read_file(formulas) : ""));
   } catch (const InputError&) {
     return "";
   }

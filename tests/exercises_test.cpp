@@ -66,6 +66,14 @@ TEST_CASE("exercises: a mutant that the test never diagnoses is found") {
         Findings{{json, 0, "mutant \"off-by-one\": is never diagnosed in test.cpp"}});
 }
 
+TEST_CASE("exercises: a test may keep what it compares with in formulas.hpp") {
+  PlantedProject project;
+  plant_complete_project(project);
+  project.replace(folder + "test.cpp", "\"off-by-one\"", "mistake");
+  project.write(folder + "formulas.hpp", "const char* const mistake = \"off-by-one\";\n");
+  CHECK(check_exercises(project.tree()) == Findings{});
+}
+
 TEST_CASE("exercises: a starter without a TODO is found") {
   CHECK(found_after(folder + "starter.cpp", "TODO(", "todo(") ==
         Findings{{folder + "starter.cpp", 0, "has no TODO(...)"}});

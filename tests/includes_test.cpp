@@ -101,6 +101,11 @@ TEST_CASE("includes: an exercise sees its api and the kit only") {
   CHECK(found_with(folder + "solution.cpp", "\"ch01_dots/dot.hpp\"").size() == 1);
   CHECK(found_with(folder + "solution.cpp", "\"common/testkit/exercise.hpp\"").size() == 1);
   CHECK(found_with(folder + "solution.cpp", "\"common/testkit/statistics.hpp\"").size() == 1);
+  CHECK(found_with(folder + "solution.cpp", "\"formulas.hpp\"").size() == 1);
+  CHECK(found_with(folder + "test.cpp", "\"formulas.hpp\"").empty());
+  CHECK(found_with(folder + "test.cpp", "\"other.hpp\"").size() == 1);
+  CHECK(found_with(folder + "formulas.hpp", "\"common/testkit/exercise.hpp\"").empty());
+  CHECK(found_with(folder + "formulas.hpp", "\"ch01_dots/dot.hpp\"").size() == 1);
   CHECK(found_with(folder + "test.cpp", "\"common/testkit/exercise.hpp\"").empty());
   CHECK(found_with(folder + "test.cpp", "\"common/testkit/hemisphere.hpp\"").empty());
   CHECK(found_with(folder + "test.cpp", "\"common/testkit/statistics.hpp\"").empty());

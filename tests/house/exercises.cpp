@@ -33,7 +33,9 @@ void check_mutants(const Tree& tree, const Exercise& exercise, const std::string
                    Findings& findings) {
   const std::string file = folder + "exercise.json";
   const std::string solution = tree.text(folder + "solution.cpp");
-  const std::string test = tree.text(folder + "test.cpp");
+  const std::string formulas = folder + "formulas.hpp";  // a long test keeps its oracles there
+  const std::string test =
+      tree.text(folder + "test.cpp") + (tree.has_file(formulas) ? tree.text(formulas) : "");
   for (const Mutant& mutant : exercise.mutants) {
     const std::string name = "mutant \"" + mutant.tag + "\": ";
     const std::size_t count = occurrences(solution, mutant.find);

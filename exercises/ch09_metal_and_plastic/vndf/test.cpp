@@ -1,6 +1,5 @@
 #include "api.hpp"
 #include "formulas.hpp"
-#include "wrong_samplers.hpp"
 
 #include <algorithm>
 #include <array>
@@ -84,44 +83,6 @@ std::string summary(const std::vector<dvec3>& normals, dvec3 wo, dvec3 right) {
          " and should have " + rounded(right) + "; of " + std::to_string(normals.size()) + ", " +
          std::to_string(down) + " face down and " + std::to_string(backs) + " show wo their back.";
 }
-
-using PdfMistake = double (*)(const Facet& f);
-const std::vector<std::pair<const char*, PdfMistake>> pdf_mistakes{
-    {"pdf-of-plain-d", [](const Facet& f) { return f.d * f.h.z; }},
-    {"g1-forgotten", [](const Facet& f) { return f.pdf() / f.g; }},
-    {"g1-of-h", [](const Facet& f) { return f.pdf() / f.g * smith_g1(alpha, f.h); }},
-    {"not-normalised", [](const Facet& f) { return f.pdf() * f.o.z; }},
-    {"facing-forgotten", [](const Facet& f) { return f.pdf() / f.cosine; }},
-    {"cosine-of-h", [](const Facet& f) { return f.pdf() / f.cosine * f.h.z; }},
-    {"divided-by-cosine-of-h", [](const Facet& f) { return f.pdf() * f.o.z / f.h.z; }},
-    {"pdf-of-direction", [](const Facet& f) { return f.pdf() / (4 * f.cosine); }},
-};
-const std::array<std::pair<dvec3, dvec3>, 3> seen_facets{
-    {{low, {0, 0.6, 0.8}}, {flat, {0.36, -0.48, 0.8}}, {{0.6, 0, 0.8}, {0.48, 0.64, 0.6}}}};
-
-using WeightMistake = double (*)(dvec3 o, dvec3 i);
-double right_weight(dvec3 o, dvec3 i) {
-  return smith_g2(alpha, o, i) / smith_g1(alpha, o);
-}
-double cosine_at_facet(dvec3 o, dvec3 i) {
-  return dot(o, normalize(o + i));
-}
-const std::vector<std::pair<const char*, WeightMistake>> weight_mistakes{
-    {"weight-of-all-normals",
-     [](dvec3 o, dvec3 i) {
-       return smith_g2(alpha, o, i) * cosine_at_facet(o, i) / (o.z * normalize(o + i).z);
-     }},
-    {"seen-not-paid", [](dvec3 o, dvec3 i) { return smith_g2(alpha, o, i); }},
-    {"g1-of-wi-below", [](dvec3 o, dvec3 i) { return right_weight(i, o); }},
-    {"weight-separable", [](dvec3, dvec3 i) { return smith_g1(alpha, i); }},
-    {"weight-upside-down", [](dvec3 o, dvec3 i) { return 1 / right_weight(o, i); }},
-    {"weight-one", [](dvec3, dvec3) { return 1.0; }},
-    {"weight-without-cosine", [](dvec3 o, dvec3 i) { return right_weight(o, i) / i.z; }},
-    {"weight-by-facet-pdf",
-     [](dvec3 o, dvec3 i) { return right_weight(o, i) / (4 * cosine_at_facet(o, i)); }},
-};
-const std::array<std::pair<dvec3, dvec3>, 3> lit_pairs{
-    {{low, {0, -0.6, 0.8}}, {flat, {-0.48, 0.64, 0.6}}, {{0.6, 0, 0.8}, {-0.96, 0, 0.28}}}};
 
 }  // namespace
 
