@@ -70,6 +70,7 @@ struct PolishedDiffuse {
 
   [[nodiscard]] Rgb eval(vec3 wo, vec3 wi) const { return base.eval(wo, wi); }
 
+  // [polished-sample]
   [[nodiscard]] std::optional<BsdfSample> sample(vec3 wo, vec3 u) const {
     if (!(wo.z > 0.0f)) return std::nullopt;
     const float p = coat_probability(wo);
@@ -79,6 +80,7 @@ struct PolishedDiffuse {
     return BsdfSample{wi, base.eval(wo, wi) * pi / (1.0f - p),
                       (1.0f - p) * cosine_hemisphere_pdf(wi.z)};
   }
+  // [polished-sample]
 
   [[nodiscard]] float pdf(vec3 wo, vec3 wi) const {
     if (!(wo.z > 0.0f && wi.z > 0.0f)) return 0.0f;

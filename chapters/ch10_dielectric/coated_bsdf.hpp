@@ -27,6 +27,7 @@ template <CoatedBase Base>
 using CoatedBsdf = OneOf<CosineLambert, Mirror, Glass, MetalReflection<>, PlasticReflection<>,
                          CoatedDiffuse<Base>, PolishedDiffuse<Base>>;
 
+// [coated-with]
 /// Chapter 9's surfaces; opaque dielectrics are matt bodies under a rough coat, or under a polished
 /// one. A thin wall has it on both sides.
 /// @param base_of  function from a Material to what lies under its coat
@@ -43,6 +44,7 @@ template <class BaseOf>
   const Coat<> coat{{alpha_of(material.roughness)}, fresnel};
   return CoatedBsdf<Base>{CoatedDiffuse<Base>{coat, base_of(material)}};
 }
+// [coated-with]
 
 /// The course's choice from here on: bases that are reciprocal and create no light.
 [[nodiscard]] inline CoatedBsdf<ReciprocalBase> coated_bsdf_at(const Surface& surface) {

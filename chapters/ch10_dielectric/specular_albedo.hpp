@@ -37,6 +37,7 @@ template <Bsdf Reflection>
 /// equal steps of t.
 class SpecularAlbedo {
  public:
+  // [albedo-table-make]
   /// Takes about ten milliseconds.
   /// @param roughness  of the coat; below smallest_alpha it is polished, and E is Fresnel's share
   /// @param ior        of the coat, > 0
@@ -52,6 +53,7 @@ class SpecularAlbedo {
     }
     mean_ = mean_over_cosine();
   }
+  // [albedo-table-make]
 
   /// @param mu  0 to 1
   [[nodiscard]] float at(float mu) const {
