@@ -41,9 +41,9 @@ struct RoughGlass {
     const float through = 1.0f - share(bend->cos_here);
     const float facets = ggx.d(bend->h) * g2_through(ggx, wo, wi);
     const float squeeze = n_here / bent_length(*bend, n_here, n_beyond);
-    // One factor after the other: products of tiny cosines may be 0.
-    const float cosines = bend->cos_here / wo.z * (bend->cos_beyond / -wi.z);
-    return Rgb(through * facets * cosines * squeeze * squeeze);
+    // One factor after the other: what two tiny cosines divide may be too large for a float.
+    const float seen = through * facets * bend->cos_here / wo.z;
+    return Rgb(seen * bend->cos_beyond / -wi.z * squeeze * squeeze);
   }
   // [rough-glass-eval]
 
