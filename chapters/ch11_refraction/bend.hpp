@@ -11,7 +11,8 @@ namespace lt {
 // [transmission-half-vector]
 /// The normal of the facets that bend light between `wo` and `wi`, turned up. By Snell's law the
 /// parts of n_here wo and n_beyond wi along the facet cancel; what is left of their sum lies along
-/// its normal. It points into the medium with the smaller index (Walter et al. 2007, eq. 16).
+/// its normal. The sum points into the medium with the larger index (Walter et al. 2007, eq. 16,
+/// has it with a minus).
 /// @param wo, wi            unit, local frame, away from the surface
 /// @param n_here, n_beyond  indices of refraction on the sides of wo and of wi, > 0
 /// @return unit, z >= 0; the null vector where the sum vanishes: no facet does it

@@ -57,8 +57,10 @@ struct RoughGlass {
     if (!(cosine > 0.0f)) return std::nullopt;  // one sees the facet's back
     return u.z < share(cosine) ? mirrored(wo, h, cosine) : bent(wo, h, cosine);
   }
+  // [rough-glass-sample]
 
  private:
+  // [rough-glass-ways]
   [[nodiscard]] std::optional<BsdfSample> mirrored(vec3 wo, vec3 h, float cosine) const {
     const vec3 wi = reflected(wo, h);
     const float seen = g2(ggx, wo, wi);
@@ -75,7 +77,7 @@ struct RoughGlass {
     const float weight = eta * eta * Normals::weight(ggx, wo, h, seen);
     return BsdfSample{*wi, Rgb(weight), bent_pdf(wo, {h, cosine, -dot(*wi, h)})};
   }
-  // [rough-glass-sample]
+  // [rough-glass-ways]
 
  public:
   // [rough-glass-pdf]
