@@ -40,6 +40,10 @@ inline constexpr float glass_alphas[] = {0.05f, 0.1f, 0.3f, 0.6f, 1.0f};
 }
 // [energy-both-ways]
 
+/// A lossless ball has 0.9997 of its light after so many events; one that glows grows with each,
+/// and so does its noise.
+inline constexpr int furnace_depth = 8;
+
 // [furnace-table]
 /// Mean radiance of balls of glass of index 1.5 under a sky of radiance 1, over the whole disk that
 /// one sees: right, and with each mistake.
@@ -56,7 +60,7 @@ inline constexpr float glass_alphas[] = {0.05f, 0.1f, 0.3f, 0.6f, 1.0f};
       studio.scene.looks[0].material = {.roughness = alpha, .ior = 1.5f, .attenuation = Rgb(0.0f)};
       GlassViewOptions show;
       show.wrong = wrong;
-      show.depth = 50;
+      show.depth = furnace_depth;
       const AnyEstimator estimate = estimator_in(studio, show);
       double sum = 0;
       for (int i = 0; i < rays; ++i) {
