@@ -31,8 +31,7 @@ struct CoatedDiffuse {
     if (!(wo.z > 0.0f)) return std::nullopt;
     const auto wi = u.z < coat_probability(wo) ? mirrored(wo, u) : cosine_hemisphere(vec2(u));
     if (!wi) return std::nullopt;
-    const float density = pdf(wo, *wi);
-    if (!(density > 0.0f)) return std::nullopt;  // too close to the horizon for a float
+    const float density = pdf(wo, *wi);  // not 0: one of both lobes has just proposed wi
     return BsdfSample{*wi, eval(wo, *wi) * (wi->z / density), density};
   }
   // [coated-sample]
