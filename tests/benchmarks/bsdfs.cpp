@@ -11,6 +11,7 @@
 #include "ch09_metal_and_plastic/all_normals.hpp"
 #include "ch09_metal_and_plastic/metal_and_plastic.hpp"
 #include "ch10_dielectric/coated.hpp"
+#include "ch11_refraction/rough_glass.hpp"
 #include "tests/benchmarks/registered.hpp"
 
 namespace lt::bench {
@@ -55,6 +56,22 @@ void add_bsdf(const std::string& name, const AnyBsdf& bsdf) {
       [=](const Questions& ask, std::size_t i) { return bsdf.pdf(ask.wo[i], ask.wi[i]); });
 }
 
+// The same with light from both sides.
+template <Bsdf AnyBsdf>
+void add_interface(const std::string& name, const AnyBsdf& bsdf) {
+  const auto from_either_side = [](const Questions& ask, std::size_t i) {
+    return ask.wi[i] * vec3(1.0f, 1.0f, i % 2 ? 1.0f : -1.0f);
+  };
+  add(name + "/eval", "values", [=](const Questions& ask, std::size_t i) {
+    return bsdf.eval(ask.wo[i], from_either_side(ask, i));
+  });
+  add(name + "/sample", "directions",
+      [=](const Questions& ask, std::size_t i) { return bsdf.sample(ask.wo[i], ask.u[i]); });
+  add(name + "/pdf", "densities", [=](const Questions& ask, std::size_t i) {
+    return bsdf.pdf(ask.wo[i], from_either_side(ask, i));
+  });
+}
+
 }  // namespace
 
 void add_bsdfs() {
@@ -81,6 +98,8 @@ void add_bsdfs() {
   add_bsdf("coated, conserving base",
            CoatedDiffuse<ConservingBase>{{ggx, coat}, {grey, 1.0f, table}});
   add_bsdf("polished coat", PolishedDiffuse<ReciprocalBase>{coat, {grey, coat}});
+  add_interface("rough glass, into", RoughGlass<>{ggx, index_of_air, 1.5f});
+  add_interface("rough glass, out of", RoughGlass<>{ggx, 1.5f, index_of_air});
 }
 
 }  // namespace lt::bench

@@ -1,4 +1,6 @@
 // Camera paths through the room at depth 8, and pictures by one and two threads.
+#include "ch11_refraction/glass_scenes.hpp"
+#include "ch11_refraction/glass_tables.hpp"
 #include "tests/benchmarks/registered.hpp"
 #include "tests/benchmarks/room_paths.hpp"
 
@@ -29,6 +31,27 @@ void add(const std::string& name, bool is_packed, int texels, const Model& bsdf_
   });
 }
 
+// The complete room at depth 12. Counting costs nothing that could be measured.
+void add_complete(const std::string& name, int texels) {
+  const auto measure = [=](benchmark::State& state) {
+    const TexturedScene list = texels > 0 ? complete_room(texels) : three_sphere_room_plain();
+    const PackedScene packed(list);
+    const CountingScene counting{packed};
+    const auto estimate = [&](const Ray& ray, Pcg32& random) {
+      const auto bsdf_at = [](const Surface& surface) { return complete_bsdf_at(surface); };
+      return radiance_through_media(counting, bsdf_at, ray, 12, random);
+    };
+    const std::atomic<bool> never{false};
+    Film film(width, height);
+    for (auto _ : state)
+      render(film, room_camera_far(), estimate, {.threads = 1}, never);
+    report(state, paths, "paths");
+    state.counters["queries"] =
+        benchmark::Counter(static_cast<double>(counting.queries), benchmark::Counter::kIsRate);
+  };
+  add_benchmark(name, measure);
+}
+
 void add_picture(const std::string& name, int threads) {
   const auto measure = [=](benchmark::State& state) {
     const TexturedScene list = three_sphere_room_plain();
@@ -54,6 +77,9 @@ void add_paths() {
   add("paths/textured 128 - cosine - list", false, 128, cosine);
   add("paths/textured 128 - cosine - packed", true, 128, cosine);
   add("paths/textured 256 - cosine - packed", true, 256, cosine);
+  add_complete("paths/complete, plain", 0);
+  add_complete("paths/complete, textured 128", 128);
+  add_complete("paths/complete, textured 256", 256);
   add_picture("picture by the clock/1 thread", 1);
   add_picture("picture by the clock/2 threads", 2);
 }
