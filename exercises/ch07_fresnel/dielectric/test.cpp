@@ -1,41 +1,25 @@
 #include "api.hpp"
+#include "formulas.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <numbers>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "common/testkit/exercise.hpp"
 
 namespace {
 
+using namespace oracle;
 using exercise::fresnel_dielectric;
-using exercise::Reflectance;
 using exercise::reflectance_dielectric;
 
 using std::numbers::pi;
 
-double squared(double x) {
-  return x * x;
-}
 double cos_of_degrees(double degrees) {
   return std::cos(degrees * pi / 180);
-}
-
-struct Place {
-  double c, n_here, n_beyond;
-};
-
-// Fresnel's equations in complex arithmetic: beyond the critical angle the cosine is imaginary, and
-// total reflection comes out by itself.
-Reflectance exact(Place at) {
-  const double m = at.n_beyond / at.n_here;
-  const std::complex<double> t = std::sqrt(std::complex<double>(1 - (1 - squared(at.c)) / (m * m)));
-  return {std::norm((at.c - m * t) / (at.c + m * t)), std::norm((m * at.c - t) / (m * at.c + t))};
 }
 
 bool is_near(double a, double b) {
@@ -84,41 +68,6 @@ bool everywhere(const Question& question) {
 bool is_right_everywhere() {
   return everywhere([](Place at) { return is_near(given(at), exact(at)); });
 }
-
-// Fresnel's fractions if t is taken for the cosine beyond.
-double r_s(Place at, double t) {
-  return (at.n_here * at.c - at.n_beyond * t) / (at.n_here * at.c + at.n_beyond * t);
-}
-double r_p(Place at, double t) {
-  return (at.n_beyond * at.c - at.n_here * t) / (at.n_beyond * at.c + at.n_here * t);
-}
-Reflectance shares(Place at, double t) {
-  return {squared(r_s(at, t)), squared(r_p(at, t))};
-}
-double snell(double c, double eta) {
-  return std::sqrt(1 - eta * eta * (1 - c * c));
-}
-double eta_of(Place at) {
-  return at.n_here / at.n_beyond;
-}
-double snell(Place at) {
-  return snell(at.c, eta_of(at));
-}
-Place back(Place at) {
-  return {at.c, at.n_beyond, at.n_here};
-}
-
-using WrongCosine = double (*)(double c, double eta);
-const std::vector<std::pair<const char*, WrongCosine>> wrong_cosines{
-    {"eta-inverted", [](double c, double eta) { return snell(c, 1 / eta); }},
-    {"cosine-for-sine", [](double c, double eta) { return std::sqrt(1 - squared(eta * c)); }},
-    {"smaller-index-above", [](double c, double eta) { return snell(c, eta < 1 ? eta : 1 / eta); }},
-    {"eta-not-squared", [](double c, double eta) { return snell(c, std::sqrt(eta)); }},
-    {"cosine-not-squared", [](double c, double eta) { return snell(std::sqrt(c), eta); }},
-    {"snell-of-cosines", [](double c, double eta) { return eta * c; }},
-    {"no-bending", [](double c, double) { return c; }},
-    {"root-forgotten", [](double c, double eta) { return squared(snell(c, eta)); }},
-};
 
 // Where a formula has no value, an answer that asks for total reflection says 1, others say NaN.
 bool agrees(double value, double wrong) {
