@@ -188,9 +188,9 @@ std::vector<Command> course_commands() {
        "--quick makes them small. out/index.html shows all with their commands.", render_command},
       {"chapter", course, "N [OPTIONS]", "build and run the program of one chapter",
        "Options go to the program: ./learn chapter 2 --help lists them.", chapter_command},
-      {"test", course, "[--sanitize] [-- CTEST]", "build everything and run every test",
-       "--sanitize: under the address and undefined-behaviour sanitizers. What follows -- goes to "
-       "ctest: ./learn test -- -L ch02_ray_casting",
+      {"test", course, "[N] [--sanitize] [-- CTEST]", "run every test, or those of one chapter",
+       "N is a chapter's number; without it everything is built. --sanitize: under the address and "
+       "undefined-behaviour sanitizers. What follows -- goes to ctest: ./learn test -- -R camera",
        test_command},
       {"bench", course, "[--quick]", "measure how fast the course is on this machine",
        "Needs Google Benchmark, and a machine that does nothing else. Builds with -O3 "

@@ -16,9 +16,13 @@ namespace fs = std::filesystem;
 int test_command(const Home& home, Arguments& arguments) {
   const std::string preset = arguments.flag("--sanitize") ? "asan" : "release";
   const std::vector<std::string> for_ctest = arguments.after_dashes();
-  arguments.nothing_more();
+  const std::string word = arguments.word_or_nothing();
+  const std::string chapter = word.empty() ? "" : find_chapter(home, word);
   configure(home, preset);
-  build(home.build(preset), {}, "building everything");
+  if (chapter.empty())
+    build(home.build(preset), {}, "building everything");
+  else
+    build(home.build(preset), {chapter + "_tests"}, "building the tests of " + chapter);
 
   const fs::path junit = home.build(preset) / "tests.xml";
   fs::remove(junit);
@@ -33,6 +37,7 @@ int test_command(const Home& home, Arguments& arguments) {
                                    junit.string(),
                                    "-j",
                                    std::to_string(thread_count(0))};
+  if (!chapter.empty()) command.insert(command.end(), {"-L", chapter});
   command.insert(command.end(), for_ctest.begin(), for_ctest.end());
   const ProcessResult result = run_visibly(command);
   if (!fs::exists(junit)) throw OutputError("ctest did not run: see above");

@@ -86,7 +86,7 @@ void render_to_file(const Estimator& estimate, const Camera& camera, const Rende
   const auto& [width, height, spp, seed, threads, ignored] = picture;
   Film film(width, height);
   save_image(out, developed(film));  // a place that cannot be written is told before the work
-  Progress progress("room", std::int64_t{width} * height * spp);
+  Progress progress(out.stem().string(), std::int64_t{width} * height * spp);
 
   const ProcessorTimer timer;
   const auto after_pass = [&](const Film& before, const Film& so_far) {
