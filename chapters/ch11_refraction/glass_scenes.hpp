@@ -11,7 +11,7 @@ namespace lt {
 /// What the room's clear sphere is of. The thesis' numbers: hardly denser than air, as good as
 /// polished, and a pink that takes no red away.
 struct ClearSphere {
-  float ior = 1.04f;         ///< > 0
+  float ior = 1.04f;         ///< index of refraction, > 0
   float roughness = 0.002f;  ///< 0 to 1
   float colour = 1.0f;       ///< factor on the attenuation, >= 0
 };
