@@ -141,7 +141,8 @@ TEST_CASE("mistakes: without eta^2 a lamp in glass is 2.25 times too bright, and
   CHECK(ball_mean("scale", 0.1f) == close_to(ball_mean("none", 0.1f), 1e-3));
 }
 
-TEST_CASE("mistakes: without eta^2 reciprocity fails by 2.25, and the triple complains") {
+TEST_CASE(
+    "mistakes: without eta^2 the weight is not f cos over the density, and the triple complains") {
   CHECK(triple(wrong_into<m::UnscaledGlass>(0.3f)) != "");
 }
 
