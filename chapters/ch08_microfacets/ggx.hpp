@@ -11,7 +11,8 @@ namespace lt {
 // [ggx]
 /// The GGX distribution of facets (Trowbridge and Reitz 1975; Walter et al. 2007).
 struct Ggx {
-  float alpha;  ///< width: tangent of the angle by which facets lean, > 0; 1e-4 is still safe
+  float alpha;  ///< width: tangent of the angle by which facets lean, > 0; d() and lambda() hold to
+                ///< 1e-4
 
   // [d]
   /// Area of the facets that face `h`, in m^2 of facet per m^2 of surface and steradian. Thesis
@@ -27,9 +28,9 @@ struct Ggx {
   // [d]
 
   // [lambda]
-  /// Facet area hidden by other facets, seen along `w`, for each unit of area that is seen; Smith
-  /// 1967, for GGX: Walter et al. 2007, eq. 34; Heitz 2014.
-  /// @param w  unit, local frame; either side
+  /// Of the facets that face `w`, the area hidden by others for each unit that is seen; Smith 1967,
+  /// for GGX: Walter et al. 2007, eq. 34; Heitz 2014.
+  /// @param w  to whoever looks, unit, local frame; either side
   /// @return 0 straight above to infinity at the horizon
   [[nodiscard]] float lambda(vec3 w) const {
     const float squared_tan = (w.x * w.x + w.y * w.y) / (w.z * w.z);

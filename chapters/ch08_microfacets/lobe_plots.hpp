@@ -58,7 +58,7 @@ inline constexpr float lobe_alphas[] = {0.1f, 0.2f, 0.4f, 0.7f, 1.0f};
             "which is nearly a matt surface's."
           : "Five lobes, seen from the left. The needle of alpha 0.1 points to the right, almost "
             "at the mirror angle. The wider a lobe is, the more it stands upright; for alpha 1 it "
-            "is nearly a circle, as a matt surface's is, and hardly knows where one looks from.";
+            "is a broad oval, straight up, and hardly knows where one looks from.";
   for (const float alpha : lobe_alphas)
     plot.curves.push_back(
         lobe(brdf_named(options, Ggx{alpha}, PerfectMirror{}), alpha, wo_degrees));

@@ -10,7 +10,7 @@
 namespace {
 
 struct Options {
-  lt::RenderOptions picture{700, 120, 64, 1, 0, {}};
+  lt::RenderOptions picture{700, 110, 64, 1, 0, {}};
   lt::MicrofacetViewOptions show;
   std::string plot = "none";
   std::string table = "none";
@@ -49,7 +49,10 @@ bool parse(Options& options, int argc, char** argv) {
   }
   lt::add_picture_options(line, options.picture);
   lt::add_sampling_options(line, options.picture);
-  return line.parse(argc, argv);
+  options.picture.width = options.picture.height = 0;  // none yet; --help names the row's
+  const bool is_wanted = line.parse(argc, argv);
+  lt::choose_size(show.view, options.picture);
+  return is_wanted;
 }
 
 void run(const Options& options, const std::atomic<bool>& cancel) {

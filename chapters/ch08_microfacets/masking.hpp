@@ -8,9 +8,9 @@
 namespace lt {
 
 // [g1]
-/// Masking: the share of the facets facing `h` that one sees along `w`, the others being behind
+/// Masking: the share of the facets facing `h` that one sees from `w`, the others being behind
 /// their neighbours. Thesis eq. 5's factor (Walter et al. 2007, eq. 34).
-/// @param w  unit, local frame
+/// @param w  to whoever looks, unit, local frame
 /// @param h  the facets' normal, unit
 /// @return 0 to 1; 0 for facets that show `w` their back
 [[nodiscard]] inline float g1(const Ggx& ggx, vec3 w, vec3 h) {

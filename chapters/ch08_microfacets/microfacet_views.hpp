@@ -25,6 +25,13 @@ struct MicrofacetViewOptions {
   int texels = 256;               ///< side of the walls' textures
 };
 
+/// Gives a picture whose sides are 0 the size that suits its view: a row of balls is wide.
+/// @param view  as in MicrofacetViewOptions
+inline void choose_size(const std::string& view, RenderOptions& picture) {
+  if (picture.width == 0) picture.width = view == "room" ? 450 : 700;
+  if (picture.height == 0) picture.height = view == "room" ? 360 : 110;
+}
+
 /// The BRDFs of the row.
 [[nodiscard]] inline std::vector<AnyBrdf> row_brdfs(const MicrofacetViewOptions& show) {
   std::vector<AnyBrdf> brdfs;

@@ -88,6 +88,22 @@ TEST_CASE("program: balls of glass are darker than gold, and white ones brighter
   CHECK(mean_of_ball(picture_of("spheres", {}, "white"), 6) > golden);
 }
 
+TEST_CASE("program: a picture of which no size is asked gets that of its view") {
+  // Seven balls of 2.2 m each and a margin: 7 to 1.1. The room is 5 to 4, as in chapter 7.
+  const auto size_of = [](const std::string& view, int width, int height) {
+    RenderOptions picture;
+    picture.width = width;
+    picture.height = height;
+    choose_size(view, picture);
+    return std::pair(picture.width, picture.height);
+  };
+  CHECK(size_of("spheres", 0, 0) == std::pair(700, 110));
+  CHECK(size_of("furnace", 0, 0) == std::pair(700, 110));
+  CHECK(size_of("room", 0, 0) == std::pair(450, 360));
+  CHECK(size_of("room", 160, 128) == std::pair(160, 128));
+  CHECK(size_of("room", 160, 0) == std::pair(160, 360));
+}
+
 TEST_CASE("program: a cancelled view is a whole picture of what there is") {
   const TemporaryFolder folder;
   const std::atomic<bool> already{true};

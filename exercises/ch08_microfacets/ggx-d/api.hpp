@@ -20,7 +20,7 @@ namespace exercise {
 [[nodiscard]] float brushed_ggx_d(glm::vec2 alphas, glm::vec3 h);
 
 /// ggx_d() of the facets that mirror light from `wi` to `wo`.
-/// @param wo, wi  unit, away from the surface
+/// @param wo, wi  unit, away from the surface; either may lie below it
 /// @return 1/sr; 0 if no facet does it, as where `wo` and `wi` are opposite
 [[nodiscard]] float ggx_d_between(float alpha, glm::vec3 wo, glm::vec3 wi);
 
