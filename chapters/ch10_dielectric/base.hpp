@@ -51,7 +51,7 @@ struct ThesisBase {
 
 // [reciprocal-base]
 /// Light goes in at its angle to the *surface*, and out at the other: of each 1 - F is left. What
-/// the coat sends back in from below is lost, so it is a little dark.
+/// the coat sends back in from below is lost, and a rough coat mirrors less than F: it is dark.
 struct ReciprocalBase {
   Rgb albedo;  ///< 0 to 1
   CoatFresnel coat;

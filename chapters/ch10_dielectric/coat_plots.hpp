@@ -44,8 +44,9 @@ inline constexpr float plot_alphas[] = {0.0f, 0.1f, 0.3f, 1.0f};
 [[nodiscard]] inline Plot coat_plot() {
   Plot plot = cosine_plot(
       "What a coat of index 1.5 reflects: E", "share of the light",
-      "From above all coats reflect 0.04 or a little less. Towards the horizon, on the left, the "
-      "smooth coat rises to 1, that of alpha 0.1 to about 0.4, and the roughest stays below 0.1.");
+      "From above coats reflect 0.04, the rough ones less, down to 0.013. Towards the horizon, on "
+      "the left, the smooth coat rises to 1, that of alpha 0.1 to about 0.4, and the roughest "
+      "stays below 0.1.");
   for (const float alpha : plot_alphas)
     plot.series.push_back(over_cosine(alpha_label(alpha), [&](float mu) {
       const CoatFresnel coat{1.5f};
@@ -72,7 +73,7 @@ inline constexpr float plot_alphas[] = {0.0f, 0.1f, 0.3f, 1.0f};
 [[nodiscard]] inline Plot repairs_plot() {
   Plot plot = cosine_plot(
       "Two repairs: what comes back of 1", "albedo of coat and white base",
-      "Four curves of the reciprocal base stay below 1, all at 0.91 from above; towards the "
+      "Four curves of the reciprocal base stay below 1, at 0.88 to 0.91 from above; towards the "
       "horizon, on the left, the smooth one rises to 1, and the rougher the coat, the deeper a "
       "curve falls. The conserving base is a flat line at 1 for every alpha.");
   for (const float alpha : plot_alphas)
@@ -94,7 +95,8 @@ inline constexpr float plot_alphas[] = {0.0f, 0.1f, 0.3f, 1.0f};
   plot.log_y = true;
   plot.description =
       "A grey body under a coat of alpha 0.1, from three angles. Every curve falls to a sharp "
-      "minimum and rises on both sides by powers of ten. The minimum lies at a probability of 0.07 "
+      "minimum and rises on both sides by powers of ten. The minimum lies at a probability near "
+      "0.08 "
       "from above and near 0.7 from the cosine 0.1. The marked choices by share lie close to the "
       "minima.";
   for (const float mu : {1.0f, 0.3f, 0.1f}) {

@@ -21,8 +21,8 @@ using CoatOverBareBase = CoatedDiffuse<BareBase>;
 
 // [density-of-chosen]
 /// Divides the sum of both lobes by the density of the one that was chosen. The mean is right! But
-/// where the base happens to propose a direction inside the coat's narrow lobe, a huge f is divided
-/// by the small density of the base; and no direction comes with the density that it says.
+/// where one lobe happens to propose a direction of the other, that one's f is divided by a density
+/// which has next to nothing there; and no direction comes with the density that it says.
 struct DensityOfChosen : CoatedDiffuse<ReciprocalBase> {
   [[nodiscard]] std::optional<BsdfSample> sample(vec3 wo, vec3 u) const {
     auto right = CoatedDiffuse::sample(wo, u);
