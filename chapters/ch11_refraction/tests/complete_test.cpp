@@ -26,7 +26,7 @@ const Material frosted{.roughness = 0.2f, .ior = 1.5f, .attenuation = Rgb(0.0f)}
 
 static_assert(Bsdf<CompleteBsdf>);
 
-TEST_CASE("complete: clear dielectrics are as rough as they say; polished, they are deltas") {
+TEST_CASE("complete: clear dielectrics are as rough as they say, and deltas where polished") {
   CHECK(is_a<RoughGlass<>>(frosted));
   CHECK(is_a<Glass>({.roughness = 0.0f, .ior = 1.5f, .attenuation = Rgb(0.0f)}));
   CHECK(is_a<RoughGlass<>>({.roughness = 0.001f, .ior = 1.5f, .attenuation = Rgb(0.0f)}));

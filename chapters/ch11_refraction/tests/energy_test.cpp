@@ -29,7 +29,8 @@ TEST_CASE("glass energy: straight on, 0.959198 goes through index 1.5, 0.999490 
   CHECK(interface_energy(into(0.1f, 1.04f), 1.0f, 1000).through == close_to(0.999490, 1e-4));
 }
 
-TEST_CASE("glass energy: the smoother the surface, the less is lost; polished, nothing") {
+TEST_CASE(
+    "glass energy: the smoother the surface, the less is lost, and nothing if it is polished") {
   for (const bool outside : {true, false})
     for (const float mu : {1.0f, 0.8f, 0.5f, 0.3f}) {
       const auto total = [&](float alpha) {

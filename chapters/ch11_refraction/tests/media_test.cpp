@@ -198,7 +198,7 @@ TEST_CASE("rough glass ball: after one event only what is mirrored is seen: its 
   }
 }
 
-TEST_CASE("rough glass ball: ever smoother, it becomes invisible; rough, it loses light") {
+TEST_CASE("rough glass ball: ever smoother, it becomes invisible, but rough, it loses light") {
   const auto mean = [](float alpha) {
     const UnderSky open = ball({.roughness = alpha, .ior = 1.5f, .attenuation = Rgb(0.0f)});
     return estimates(open, towards_ball(0.3f), 60, 50'000, 1).mean();
