@@ -45,6 +45,13 @@ TEST_CASE("names: a file that is too long to read gladly is found") {
   CHECK(findings_with("common/long.cpp", table + std::string(250, '\n')) == 1);
 }
 
+TEST_CASE("names: a semicolon in a test's name is found") {
+  const std::string file = "common/tests/a_test.cpp";
+  CHECK(findings_with(file, "TEST_CASE(\"a: one, two\") {\n  int a;\n}\n") == 0);
+  CHECK(findings_with(file, "TEST_CASE(\"a: one; two\") {\n}\n") == 1);
+  CHECK(findings_with(file, "TEST_CASE(\n    \"a: one; two\") {\n}\n") == 1);
+}
+
 TEST_CASE("names: a header without its guard is found") {
   CHECK(findings_with("common/a.hpp", "/// @file\n/// Why.\n#pragma once\n") == 0);
   CHECK(findings_with("common/a.hpp", "#include <vector>\n#pragma once\n") == 1);

@@ -80,6 +80,13 @@ void check_cpp(const std::string& file, const std::vector<std::string>& lines, F
                         std::to_string(count) + " lines; at most " +
                             std::to_string(most_lines(file)) + " are read gladly"});
   }
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const bool names_test =
+        lines[i].starts_with("TEST_CASE(\"") || (i > 0 && lines[i - 1] == "TEST_CASE(");
+    if (names_test && lines[i].find(';') != std::string::npos)
+      findings.push_back({file, static_cast<int>(i) + 1,
+                          "has a semicolon in a test's name: CTest takes it for two tests"});
+  }
   if (!file.ends_with(".hpp")) return;
   for (const std::string& line : lines) {
     if (line == "#pragma once") return;

@@ -11,6 +11,7 @@ namespace lt::house {
 ///   figures and exercises are lower-case-with-hyphens.
 /// - A C++ file has at most 200 lines in a chapter, 250 elsewhere, 300 if it holds tests; tables
 ///   laid out by hand do not count.
+/// - A test's name has no semicolon, which CTest takes for the end of the name.
 /// - Headers start with `#pragma once` below their comment.
 /// - Text files end with a newline, have no tabs (Makefiles aside), no blanks at the ends of lines
 ///   and no carriage returns.
