@@ -52,6 +52,13 @@ using AnyEstimator = std::function<Rgb(const Ray&, Pcg32&)>;
 }
 // [any-estimator]
 
+/// Copies `part` into `image`, `left` pixels from the left.
+inline void paste_at(Image& image, const Image& part, int left) {
+  for (int y = 0; y < part.height(); ++y)
+    for (int x = 0; x < part.width(); ++x)
+      image.at(left + x, y) = part.at(x, y);
+}
+
 /// Panels of the strip: samples per pixel.
 inline constexpr std::array<int, 6> strip_samples{1, 4, 16, 64, 256, 1024};
 inline constexpr int strip_zoom = 4;  ///< pixels of the strip along a side of a pixel of a panel

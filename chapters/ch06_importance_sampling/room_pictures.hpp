@@ -4,18 +4,12 @@
 
 #include <cmath>
 
+#include "ch05_rendering_equation/views.hpp"
 #include "ch06_importance_sampling/diverging_color.hpp"
 #include "ch06_importance_sampling/efficiency.hpp"
 #include "ch06_importance_sampling/sampled_room.hpp"
 
 namespace lt {
-
-/// Copies `part` into `image`, `left` pixels from the left.
-inline void paste_at(Image& image, const Image& part, int left) {
-  for (int y = 0; y < part.height(); ++y)
-    for (int x = 0; x < part.width(); ++x)
-      image.at(left + x, y) = part.at(x, y);
-}
 
 /// What the pair and the map are made of.
 struct PairOptions {

@@ -107,24 +107,32 @@ template <Scattering Model>
   return developed(film);
 }
 
-/// Four panels side by side, white lines between them.
-[[nodiscard]] inline Image smooth_strip(const SmoothViewOptions& show, int width, int height,
-                                        const SampleRange& range, const std::atomic<bool>& cancel) {
-  const std::vector<SmoothViewOptions> panels = panels_of(show);
-  const int count = static_cast<int>(panels.size());
-  Progress progress(show.view, std::int64_t{width - 2 * (count - 1)} * height * range.last);
+/// Panels side by side, white lines between them.
+/// @param title       of the progress bar
+/// @param samples     per pixel
+/// @param make_panel  make_panel(i, width, progress) is the Image of panel i, 0 to count - 1
+template <class MakePanel>
+[[nodiscard]] Image panel_strip(const std::string& title, int count, int width, int height,
+                                int samples, const MakePanel& make_panel) {
+  Progress progress(title, std::int64_t{width - 2 * (count - 1)} * height * samples);
   Image image(width, height, Rgb(1.0f));
   for (int i = 0; i < count; ++i) {
     const int left = width * i / count + (i > 0 ? 2 : 0);
     const int right = width * (i + 1) / count;
     if (left >= right) continue;  // no room for a panel
-    const Image panel = smooth_picture(panels[static_cast<std::size_t>(i)], right - left, height,
-                                       range, cancel, &progress);
-    for (int y = 0; y < height; ++y)
-      for (int x = left; x < right; ++x)
-        image.at(x, y) = panel.at(x - left, y);
+    paste_at(image, make_panel(static_cast<std::size_t>(i), right - left, progress), left);
   }
   return image;
+}
+
+[[nodiscard]] inline Image smooth_strip(const SmoothViewOptions& show, int width, int height,
+                                        const SampleRange& range, const std::atomic<bool>& cancel) {
+  const std::vector<SmoothViewOptions> panels = panels_of(show);
+  return panel_strip(show.view, static_cast<int>(panels.size()), width, height, range.last,
+                     [&](std::size_t i, int panel_width, Progress& progress) {
+                       return smooth_picture(panels[i], panel_width, height, range, cancel,
+                                             &progress);
+                     });
 }
 
 }  // namespace lt

@@ -109,23 +109,13 @@ inline constexpr std::array<float, 4> floor_roughness{0.6f, 0.6f, 0.1f, 0.0f};
   return developed(film);
 }
 
-/// Four panels side by side, white lines between them.
 [[nodiscard]] inline Image floors_strip(const DielectricViewOptions& show, int width, int height,
                                         const SampleRange& range, const std::atomic<bool>& cancel) {
-  const int count = static_cast<int>(floor_roughness.size());
-  Progress progress(show.view, std::int64_t{width - 2 * (count - 1)} * height * range.last);
-  Image image(width, height, Rgb(1.0f));
-  for (int i = 0; i < count; ++i) {
-    const int left = width * i / count + (i > 0 ? 2 : 0);
-    const int right = width * (i + 1) / count;
-    if (left >= right) continue;  // no room for a panel
-    const Image panel = floor_picture(show, static_cast<std::size_t>(i), {right - left, height},
-                                      range, cancel, progress);
-    for (int y = 0; y < height; ++y)
-      for (int x = left; x < right; ++x)
-        image.at(x, y) = panel.at(x - left, y);
-  }
-  return image;
+  return panel_strip(
+      show.view, static_cast<int>(floor_roughness.size()), width, height, range.last,
+      [&](std::size_t i, int panel_width, Progress& progress) {
+        return floor_picture(show, i, {panel_width, height}, range, cancel, progress);
+      });
 }
 
 }  // namespace lt

@@ -56,7 +56,7 @@ struct GlassViewOptions {
   if (show.view == "lamp") return lamp_camera();
   if (is_in_studio(show)) return row_camera();
   if (show.view != "room") return glass_camera();
-  return show.camera == "far" ? room_camera_far() : room_camera_near();
+  return camera_named(show.camera);
 }
 
 // [with-glass]
@@ -134,24 +134,14 @@ void with_view(const GlassViewOptions& show, const Use& use) {
   return developed(film);
 }
 
-/// Four panels side by side, white lines between them.
 [[nodiscard]] inline Image glass_strip(const GlassViewOptions& show, int width, int height,
                                        const SampleRange& range, const std::atomic<bool>& cancel) {
   const std::vector<GlassViewOptions> panels = panels_of(show);
-  const int count = static_cast<int>(panels.size());
-  Progress progress(show.view, std::int64_t{width - 2 * (count - 1)} * height * range.last);
-  Image image(width, height, Rgb(1.0f));
-  for (int i = 0; i < count; ++i) {
-    const int left = width * i / count + (i > 0 ? 2 : 0);
-    const int right = width * (i + 1) / count;
-    if (left >= right) continue;  // no room for a panel
-    const Image panel = glass_picture(panels[static_cast<std::size_t>(i)], {right - left, height},
-                                      range, cancel, &progress);
-    for (int y = 0; y < height; ++y)
-      for (int x = left; x < right; ++x)
-        image.at(x, y) = panel.at(x - left, y);
-  }
-  return image;
+  return panel_strip(
+      show.view, static_cast<int>(panels.size()), width, height, range.last,
+      [&](std::size_t i, int panel_width, Progress& progress) {
+        return glass_picture(panels[i], {panel_width, height}, range, cancel, &progress);
+      });
 }
 
 }  // namespace lt
