@@ -30,6 +30,13 @@ inline void restrict_lit_options(CommandLine& line) {
   return {.seed = picture.seed, .threads = picture.threads};
 }
 
+/// The same with all of the picture's samples, for a picture that is rendered in one go.
+[[nodiscard]] inline SampleRange whole_range_for(const RenderOptions& picture) {
+  SampleRange range = range_for(picture);
+  range.last = picture.samples_per_pixel;
+  return range;
+}
+
 /// One line: how many samples every pixel has, and how noisy it still is.
 inline void print_pass(const Film& before, const Film& film) {
   const FilmSummary counts = summary(film);

@@ -15,8 +15,7 @@ namespace lt {
 inline void write_smooth_view(const SmoothViewOptions& show, const RenderOptions& picture,
                               const std::filesystem::path& out, const std::atomic<bool>& cancel) {
   if (show.view == "indices" || show.view == "metals") {
-    SampleRange range = range_for(picture);
-    range.last = picture.samples_per_pixel;
+    const SampleRange range = whole_range_for(picture);
     save_image(out, smooth_strip(show, picture.width, picture.height, range, cancel));
     return;
   }

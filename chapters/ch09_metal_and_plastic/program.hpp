@@ -16,8 +16,7 @@ namespace lt {
 inline void write_rough_view(const RoughViewOptions& show, const RenderOptions& picture,
                              const std::filesystem::path& out, const std::atomic<bool>& cancel) {
   if (show.view == "pair") {
-    SampleRange range = range_for(picture);
-    range.last = picture.samples_per_pixel;
+    const SampleRange range = whole_range_for(picture);
     save_image(out, normals_pair(show, picture.width, picture.height, range, cancel));
     return;
   }

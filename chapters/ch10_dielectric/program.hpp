@@ -17,8 +17,7 @@ inline void write_dielectric_view(const DielectricViewOptions& show, const Rende
                                   const std::filesystem::path& out,
                                   const std::atomic<bool>& cancel) {
   if (show.view == "floors") {
-    SampleRange range = range_for(picture);
-    range.last = picture.samples_per_pixel;
+    const SampleRange range = whole_range_for(picture);
     save_image(out, floors_strip(show, picture.width, picture.height, range, cancel));
     return;
   }

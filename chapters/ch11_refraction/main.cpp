@@ -48,16 +48,12 @@ void run(const Options& options, const std::atomic<bool>& cancel) {
     std::cout << lt::glass_table_named(table, picture.seed);
     return;
   }
-  std::filesystem::path out = picture.out;
-  if (out.empty()) out = plot != "none" ? plot + ".svg" : show.view + ".png";
-  if (plot != "none") {
+  const std::filesystem::path out = lt::output_path(picture, show.view, plot);
+  if (plot != "none")
     lt::write_glass_plot(plot, out);
-  } else {
-    lt::require_picture_path(out);  // before the work, not after it
+  else
     lt::write_glass_view(show, picture, out, cancel);
-  }
-  if (cancel) std::cout << "stopped early\n";
-  std::cout << "wrote " << lt::printable(out.string()) << '\n';
+  lt::print_outcome(out, cancel, true);
 }
 
 }  // namespace

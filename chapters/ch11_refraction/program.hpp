@@ -30,8 +30,7 @@ inline void restrict_glass_options(CommandLine& line) {
 inline void write_glass_view(const GlassViewOptions& show, const RenderOptions& picture,
                              const std::filesystem::path& out, const std::atomic<bool>& cancel) {
   if (is_strip(show)) {
-    SampleRange range = range_for(picture);
-    range.last = picture.samples_per_pixel;
+    const SampleRange range = whole_range_for(picture);
     save_image(out, glass_strip(show, picture.width, picture.height, range, cancel));
     return;
   }
