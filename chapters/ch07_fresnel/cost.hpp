@@ -69,6 +69,22 @@ struct CostInputs {
   return line;
 }
 
+/// What costs_row() prints stands below this.
+inline constexpr const char* costs_head = "                        eval   sample      pdf\n";
+
+/// One line: what a BSDF's three functions cost.
+[[nodiscard]] std::string costs_row(const char* name, const Bsdf auto& bsdf,
+                                    const CostInputs& inputs, int rounds) {
+  const std::vector<vec3>&wo = inputs.wo, &wi = inputs.wi, &u = inputs.u;
+  const auto eval = [&](std::size_t i) { return dot(bsdf.eval(wo[i], wi[i]), vec3(1.0f)); };
+  const auto sample = [&](std::size_t i) { return sampled(bsdf, wo[i], u[i]); };
+  const auto pdf = [&](std::size_t i) { return bsdf.pdf(wo[i], wi[i]); };
+  char line[80];
+  std::snprintf(line, sizeof line, "%-20s %7.1f  %7.1f  %7.1f ns\n", name,
+                nanoseconds(eval, rounds), nanoseconds(sample, rounds), nanoseconds(pdf, rounds));
+  return line;
+}
+
 // [cost-table]
 /// Nanoseconds of each step, as text.
 /// @param rounds  of each measurement, a tenth of it for paths; 500 take three seconds in all

@@ -59,16 +59,9 @@ inline constexpr float table_cosines[] = {1.0f, 0.8f, 0.5f, 0.3f, 0.2f, 0.1f, 0.
 /// @param rounds  of each measurement; 500 take some seconds in all
 [[nodiscard]] inline std::string coat_cost_table(int rounds) {
   const CostInputs inputs;
-  const std::vector<vec3>&wo = inputs.wo, &wi = inputs.wi, &u = inputs.u;
-  std::string text = "                        eval   sample      pdf\n";
+  std::string text = costs_head;
   const auto row = [&](const char* name, const auto& bsdf) {
-    const auto eval = [&](std::size_t i) { return mean_channel(bsdf.eval(wo[i], wi[i])); };
-    const auto sample = [&](std::size_t i) { return sampled(bsdf, wo[i], u[i]); };
-    const auto pdf = [&](std::size_t i) { return bsdf.pdf(wo[i], wi[i]); };
-    char line[80];
-    std::snprintf(line, sizeof line, "%-20s %7.1f  %7.1f  %7.1f ns\n", name,
-                  nanoseconds(eval, rounds), nanoseconds(sample, rounds), nanoseconds(pdf, rounds));
-    text += line;
+    text += costs_row(name, bsdf, inputs, rounds);
   };
   const CoatFresnel fresnel{1.5f};
   const Coat<> coat{{0.6f}, fresnel};

@@ -5,9 +5,7 @@
 #include <atomic>
 #include <cstdio>
 #include <string>
-#include <vector>
 
-#include "ch05_rendering_equation/uniform_hemisphere.hpp"
 #include "ch07_fresnel/cost.hpp"
 #include "ch11_refraction/glass_views.hpp"
 #include "ch11_refraction/interface_energy.hpp"
@@ -125,23 +123,12 @@ template <Scattering Model>
 /// Nanoseconds of each step, and how fast the room is, as text.
 /// @param rounds  of each measurement; 200 take some seconds in all
 [[nodiscard]] inline std::string glass_cost_table(int rounds) {
-  Pcg32 random(1);
-  std::vector<vec3> wo, wi, u;
-  for (std::size_t i = 0; i < 4096; ++i) {
-    wo.push_back(uniform_hemisphere(random.next_vec2()));
-    const vec3 up = uniform_hemisphere(random.next_vec2());
-    wi.push_back(i % 2 ? up : vec3(up.x, up.y, -up.z));
-    u.push_back(random.next_vec3());
-  }
-  std::string text = "                        eval   sample      pdf\n";
+  CostInputs inputs;
+  for (std::size_t i = 0; i < inputs.wi.size(); i += 2)
+    inputs.wi[i].z = -inputs.wi[i].z;  // half of the light comes from the other side
+  std::string text = costs_head;
   const auto row = [&](const char* name, const auto& bsdf) {
-    const auto eval = [&](std::size_t i) { return bsdf.eval(wo[i], wi[i]).g; };
-    const auto sample = [&](std::size_t i) { return sampled(bsdf, wo[i], u[i]); };
-    const auto pdf = [&](std::size_t i) { return bsdf.pdf(wo[i], wi[i]); };
-    char line[80];
-    std::snprintf(line, sizeof line, "%-20s %7.1f  %7.1f  %7.1f ns\n", name,
-                  nanoseconds(eval, rounds), nanoseconds(sample, rounds), nanoseconds(pdf, rounds));
-    text += line;
+    text += costs_row(name, bsdf, inputs, rounds);
   };
   row("smooth glass", Glass{1.0f, 1.5f});
   row("rough glass, into", RoughGlass<>{{0.3f}, 1.0f, 1.5f});
