@@ -20,13 +20,8 @@ namespace lt {
                                           float n_beyond) {
   const RoughGlass<> glass{{alpha}, n_here, n_beyond};
   const vec3 wo = at_angle(-degrees);
-  Series series{with_alpha("\u03b1 ", alpha), {}, {}};
-  for (int i = 0; i <= 178; ++i) {
-    const vec3 down = at_angle(i / 2.0);
-    const vec3 wi(down.x, 0.0f, -down.z);
-    series.add(i / 2.0, glass.eval(wo, wi).g * down.z);
-  }
-  return series;
+  const auto counted = [&](vec3 w) { return glass.eval(wo, {w.x, w.y, -w.z}).g * w.z; };
+  return over_angle(with_alpha("\u03b1 ", alpha), counted, 89, 178);
 }
 // [through-plot]
 
@@ -106,7 +101,8 @@ namespace lt {
     plot.series.push_back(over_cosine(
         with_alpha("printed, \u03b1 ", alpha),
         [&](float mu) {
-          return interface_energy(glass, mu, 80).reflected + unreduced_through(glass, mu, 80);
+          const InterfaceEnergy energy = interface_energy(glass, mu, 80);
+          return energy.reflected + energy.unreduced;
         },
         40));
   }

@@ -11,8 +11,9 @@ namespace lt {
 /// Of the energy that comes from `wo`: which shares are reflected and go through. The rest would
 /// have met a second facet.
 struct InterfaceEnergy {
-  double reflected;  ///< 0 to 1
-  double through;    ///< 0 to 1
+  double reflected = 0;  ///< 0 to 1
+  double through = 0;    ///< 0 to 1
+  double unreduced = 0;  ///< what would go through if nothing were reflected: thesis eq. 17
 
   [[nodiscard]] double total() const { return reflected + through; }
 };
@@ -25,7 +26,7 @@ template <class RoughInterface>
 [[nodiscard]] InterfaceEnergy interface_energy(const RoughInterface& glass, float mu, int steps) {
   const vec3 wo = at_cosine(mu);
   const double eta = double{glass.n_here} / double{glass.n_beyond};
-  InterfaceEnergy sum{0, 0};
+  InterfaceEnergy sum;
   for (int i = 0; i < steps; ++i)
     for (int j = 0; j < steps; ++j) {
       const vec2 u = (vec2(i, j) + 0.5f) / static_cast<float>(steps);
@@ -35,27 +36,13 @@ template <class RoughInterface>
       const auto up = glass.sample(wo, vec3(u, 0.0f));
       const auto down = glass.sample(wo, vec3(u, 1.0f - 0x1p-24f));
       if (up && up->wi.z > 0.0f) sum.reflected += f * double{up->weight.g};
-      if (down && down->wi.z < 0.0f) sum.through += (1 - f) * double{down->weight.g} / (eta * eta);
+      if (!down || down->wi.z > 0.0f) continue;
+      sum.through += (1 - f) * double{down->weight.g} / (eta * eta);
+      sum.unreduced += double{down->weight.g} / (eta * eta);
     }
-  return {sum.reflected / steps / steps, sum.through / steps / steps};
+  return {sum.reflected / steps / steps, sum.through / steps / steps,
+          sum.unreduced / steps / steps};
 }
 // [interface-energy]
-
-// [unreduced-through]
-/// What would go through if nothing were reflected: thesis eq. 17 as printed.
-template <class RoughInterface>
-[[nodiscard]] double unreduced_through(const RoughInterface& glass, float mu, int steps) {
-  const vec3 wo = at_cosine(mu);
-  const double eta = double{glass.n_here} / double{glass.n_beyond};
-  double sum = 0;
-  for (int i = 0; i < steps; ++i)
-    for (int j = 0; j < steps; ++j) {
-      const vec2 u = (vec2(i, j) + 0.5f) / static_cast<float>(steps);
-      const auto down = glass.sample(wo, vec3(u, 1.0f - 0x1p-24f));
-      if (down && down->wi.z < 0.0f) sum += double{down->weight.g} / (eta * eta);
-    }
-  return sum / steps / steps;
-}
-// [unreduced-through]
 
 }  // namespace lt
