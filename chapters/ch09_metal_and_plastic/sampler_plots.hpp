@@ -37,7 +37,7 @@ template <Bsdf AnyBsdf>
 }
 // [weights-of]
 
-[[nodiscard]] inline std::string with_alpha(const std::string& name, float alpha) {
+[[nodiscard]] inline std::string name_and_alpha(const std::string& name, float alpha) {
   char text[60];
   std::snprintf(text, sizeof text, "%s \u03b1 %g", name.c_str(), double{alpha});
   return text;
@@ -72,7 +72,8 @@ template <Bsdf AnyBsdf>
       "at alpha 0.3 and 74 at alpha 0.1.";
   const vec3 wo = at_cosine(0.1f);
   const auto add = [&](const std::string& name, float alpha, const auto& bsdf) {
-    plot.series.push_back(one_in(with_alpha(name, alpha), weights_of(bsdf, wo, 1'000'000, seed)));
+    plot.series.push_back(
+        one_in(name_and_alpha(name, alpha), weights_of(bsdf, wo, 1'000'000, seed)));
   };
   for (const float alpha : {0.1f, 0.3f, 1.0f})
     add("all,", alpha, White<AllNormals>{{alpha}, {}});
@@ -125,8 +126,8 @@ template <Bsdf AnyBsdf>
     plot.series.push_back(series);
   };
   for (const float alpha : {0.1f, 0.5f}) {
-    add(with_alpha("all,", alpha), White<AllNormals>{{alpha}, {}});
-    add(with_alpha("visible,", alpha), White<VisibleNormals>{{alpha}, {}});
+    add(name_and_alpha("all,", alpha), White<AllNormals>{{alpha}, {}});
+    add(name_and_alpha("visible,", alpha), White<VisibleNormals>{{alpha}, {}});
   }
   return plot;
 }
