@@ -1,6 +1,7 @@
 #include "ch09_metal_and_plastic/rough_reflection.hpp"
 
 #include "ch04_monte_carlo/pcg32.hpp"
+#include "ch09_metal_and_plastic/tests/directions.hpp"
 #include "ch09_metal_and_plastic/tests/grid.hpp"
 #include "common/testkit/catch.hpp"
 #include "common/testkit/close_to.hpp"
@@ -15,27 +16,6 @@ constexpr float last = 1.0f - 0x1p-24f;
 
 using RoughGold = RoughReflection<ConductorFresnel>;
 using RoughGlass = RoughReflection<DielectricFresnel, AllNormals, g2_separable>;
-
-template <class AnyBsdf>
-std::string complaint_about_directions(const AnyBsdf& bsdf, vec3 wo, int samples) {
-  Pcg32 random(1);
-  const auto draw = [&]() -> std::optional<vec3> {
-    const auto sample = bsdf.sample(wo, random.next_vec3());
-    return sample ? std::optional(sample->wi) : std::nullopt;
-  };
-  const auto pdf = [&](vec3 wi) { return double{bsdf.pdf(wo, wi)}; };
-  const DirectionBins bins(24, 32, RowSpacing::equal_angle);
-  return test_sampler(draw, pdf, {samples, bins}).complaint;
-}
-
-template <class AnyBsdf>
-RunningMean accepted(const AnyBsdf& bsdf, vec3 wo, int count) {
-  Pcg32 random(2);
-  RunningMean mean;
-  for (int i = 0; i < count; ++i)
-    mean.add(bsdf.sample(wo, random.next_vec3()).has_value());
-  return mean;
-}
 
 }  // namespace
 

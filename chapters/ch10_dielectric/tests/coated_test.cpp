@@ -1,6 +1,7 @@
 #include "ch10_dielectric/coated.hpp"
 
 #include "ch04_monte_carlo/pcg32.hpp"
+#include "ch09_metal_and_plastic/tests/directions.hpp"
 #include "ch10_dielectric/tests/coats.hpp"
 #include "common/testkit/sampler_test.hpp"
 
@@ -17,18 +18,6 @@ const Rgb tint(0.2f, 0.5f, 0.8f);
 
 CoatedDiffuse<ReciprocalBase> tinted(float alpha) {
   return coated(alpha, reciprocal_base(tint));
-}
-
-template <class Coated>
-std::string complaint_about_directions(const Coated& bsdf, vec3 wo, int samples) {
-  Pcg32 random(1);
-  const auto draw = [&]() -> std::optional<vec3> {
-    const auto sample = bsdf.sample(wo, random.next_vec3());
-    return sample ? std::optional(sample->wi) : std::nullopt;
-  };
-  const auto pdf = [&](vec3 wi) { return double{bsdf.pdf(wo, wi)}; };
-  const DirectionBins bins(24, 32, RowSpacing::equal_angle);
-  return test_sampler(draw, pdf, {samples, bins}).complaint;
 }
 
 // Share of u that lead to a direction: the base's all do; of the coat's, one is taken at random in

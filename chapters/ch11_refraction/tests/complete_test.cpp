@@ -1,5 +1,6 @@
 #include "ch11_refraction/complete.hpp"
 
+#include "ch07_fresnel/tests/surface_of.hpp"
 #include "ch11_refraction/glass_scenes.hpp"
 #include "ch11_refraction/tests/glasses.hpp"
 
@@ -7,13 +8,6 @@ using namespace lt;
 using namespace lt::testing;
 
 namespace {
-
-Surface surface_of(const Material& material, bool outside = true) {
-  Surface surface{};
-  surface.outside = outside;
-  surface.material = material;
-  return surface;
-}
 
 template <class T>
 bool is_a(const Material& material) {

@@ -2,6 +2,7 @@
 #include "ch11_refraction/mistakes.hpp"
 
 #include "ch05_rendering_equation/tests/scenes.hpp"
+#include "ch09_metal_and_plastic/tests/directions.hpp"
 #include "ch11_refraction/glass_scenes.hpp"
 #include "ch11_refraction/glass_views.hpp"
 #include "ch11_refraction/tests/glasses.hpp"
@@ -100,17 +101,8 @@ TEST_CASE("mistakes: eq. 16 bends by the published wrong angles, and is not unit
 }
 
 TEST_CASE("mistakes: chi-square sees eq. 16's directions at once") {
-  Pcg32 random(4);
   const auto wrong = wrong_into<m::PrintedSixteen>(0.3f);
-  const vec3 wo = slanting_at(0.5f);
-  const auto draw = [&]() -> std::optional<vec3> {
-    const auto sample = wrong.sample(wo, random.next_vec3());
-    return sample ? std::optional(sample->wi) : std::nullopt;
-  };
-  const auto pdf = [&](vec3 wi) { return double{wrong.pdf(wo, wi)}; };
-  CHECK(
-      test_sampler(draw, pdf, {20'000, DirectionBins(24, 32, RowSpacing::equal_angle)}).complaint !=
-      "");
+  CHECK(complaint_about_directions(wrong, slanting_at(0.5f), 20'000) != "");
 }
 
 TEST_CASE("mistakes: with eq. 17's weights 1 becomes 1.0396 to 1.2994, as published") {

@@ -1,5 +1,6 @@
 #include "ch11_refraction/rough_glass.hpp"
 
+#include "ch09_metal_and_plastic/tests/directions.hpp"
 #include "ch11_refraction/tests/glasses.hpp"
 #include "common/testkit/sampler_test.hpp"
 
@@ -10,27 +11,6 @@ static_assert(Bsdf<RoughGlass<>>);
 static_assert(Bsdf<RoughGlass<AllNormals, g2_separable>>);
 
 namespace {
-
-template <class AnyBsdf>
-std::string complaint_about_directions(const AnyBsdf& bsdf, vec3 wo, int samples) {
-  Pcg32 random(1);
-  const auto draw = [&]() -> std::optional<vec3> {
-    const auto sample = bsdf.sample(wo, random.next_vec3());
-    return sample ? std::optional(sample->wi) : std::nullopt;
-  };
-  const auto pdf = [&](vec3 wi) { return double{bsdf.pdf(wo, wi)}; };
-  const DirectionBins bins(24, 32, RowSpacing::equal_angle);
-  return test_sampler(draw, pdf, {samples, bins}).complaint;
-}
-
-template <class AnyBsdf>
-RunningMean accepted(const AnyBsdf& bsdf, vec3 wo, int count) {
-  Pcg32 random(2);
-  RunningMean mean;
-  for (int i = 0; i < count; ++i)
-    mean.add(bsdf.sample(wo, random.next_vec3()).has_value());
-  return mean;
-}
 
 // The integral over all directions on a grid of equal solid angles: of no high order, but a jump,
 // as where facets would have to lean by more than 90 degrees, costs it little.
