@@ -1,9 +1,11 @@
 #include "ch05_rendering_equation/progressive.hpp"
 
 #include "ch05_rendering_equation/plots.hpp"
+#include "ch05_rendering_equation/tests/program_checks.hpp"
 #include "common/testkit/catch.hpp"
 
 using namespace lt;
+using namespace lt::testing;
 
 namespace {
 
@@ -33,9 +35,7 @@ TEST_CASE("progressive: passes make the same bytes as one go") {
                    [](const Film&, const Film&) {});
   Film in_one_go(9, 7);
   render(in_one_go, Camera(), white_noise, {.last = 13, .seed = 3}, never);
-  for (int y = 0; y < 7; ++y)
-    for (int x = 0; x < 9; ++x)
-      REQUIRE(in_passes.at(x, y).sum == in_one_go.at(x, y).sum);
+  require_same_samples(in_passes, in_one_go);
 }
 
 TEST_CASE("progressive: no pass begins after a cancellation and its film is told") {

@@ -1,11 +1,13 @@
 #include "ch07_fresnel/program.hpp"
 
 #include "ch01_pixels/tests/temporary_folder.hpp"
+#include "ch05_rendering_equation/tests/program_checks.hpp"
 #include "ch07_fresnel/cost.hpp"
 #include "ch07_fresnel/tables.hpp"
 #include "common/testkit/catch.hpp"
 
 using namespace lt;
+using namespace lt::testing;
 
 namespace {
 
@@ -68,16 +70,14 @@ TEST_CASE("program: a cancelled room is a whole picture of what there is") {
 }
 
 TEST_CASE("program: plots are drawn into files that end in svg and nowhere else") {
-  const TemporaryFolder folder;
-  CHECK_THROWS_AS(write_curves("outside", folder / "plot.png"), InputError);
-  const std::pair<const char*, const char*> words[] = {
-      {"polarised", "Brewster 56.3"}, {"outside", "67.5"},      {"inside", "glass 41.8"},
-      {"gold", "From air to gold"},   {"silver", "silver"},     {"copper", "copper"},
-      {"schlick", "Schlick minus"},   {"printed", "as printed"}};
-  for (const auto& [name, word] : words) {
-    write_curves(name, folder / "plot.svg");
-    CHECK(read_file(folder / "plot.svg").find(word) != std::string::npos);
-  }
+  check_plots(write_curves, {{"polarised", "Brewster 56.3"},
+                             {"outside", "67.5"},
+                             {"inside", "glass 41.8"},
+                             {"gold", "From air to gold"},
+                             {"silver", "silver"},
+                             {"copper", "copper"},
+                             {"schlick", "Schlick minus"},
+                             {"printed", "as printed"}});
 }
 
 TEST_CASE("program: the table has glass at 60 degrees from both sides") {

@@ -1,11 +1,13 @@
 #include "ch07_fresnel/smooth_room.hpp"
 
+#include "ch05_rendering_equation/tests/program_checks.hpp"
 #include "ch05_rendering_equation/tests/scenes.hpp"
 #include "ch07_fresnel/views.hpp"
 #include "common/testkit/catch.hpp"
 #include "common/testkit/close_to.hpp"
 
 using namespace lt;
+using namespace lt::testing;
 
 namespace {
 
@@ -95,7 +97,5 @@ TEST_CASE("smooth room: the picture is the same for any number of threads") {
     return made;
   };
   const Film one = film(1), seven = film(7);
-  for (int y = 0; y < 21; ++y)
-    for (int x = 0; x < 33; ++x)
-      REQUIRE(one.at(x, y).sum == seven.at(x, y).sum);
+  require_same_samples(one, seven);
 }

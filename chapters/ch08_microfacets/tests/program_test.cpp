@@ -1,10 +1,12 @@
 #include "ch01_pixels/tests/temporary_folder.hpp"
+#include "ch05_rendering_equation/tests/program_checks.hpp"
 #include "ch08_microfacets/microfacet_tables.hpp"
 #include "ch08_microfacets/microfacet_views.hpp"
 #include "common/testkit/catch.hpp"
 #include "common/testkit/close_to.hpp"
 
 using namespace lt;
+using namespace lt::testing;
 
 namespace {
 
@@ -120,17 +122,16 @@ TEST_CASE("program: a cancelled view is a whole picture of what there is") {
 }
 
 TEST_CASE("program: plots are drawn into files that end in svg and nowhere else") {
-  const TemporaryFolder folder;
-  CHECK_THROWS_AS(write_microfacet_plot("d", {}, folder / "plot.png"), InputError);
-  const std::pair<const char*, const char*> words[] = {
-      {"lobes-0", "from 0\u00b0"}, {"lobes-45", "from 45\u00b0"},
-      {"lobes-75", "max\u00a029"}, {"d", "How facets lean"},
-      {"g1", "G1 for five"},       {"g2", "separable 1.0"},
-      {"energy", "give back"},     {"printed", "as printed, \u03b1 0.3"}};
-  for (const auto& [name, word] : words) {
-    write_microfacet_plot(name, {}, folder / "plot.svg");
-    CHECK(read_file(folder / "plot.svg").find(word) != std::string::npos);
-  }
+  check_plots([](const std::string& name,
+                 const std::filesystem::path& out) { write_microfacet_plot(name, {}, out); },
+              {{"lobes-0", "from 0\u00b0"},
+               {"lobes-45", "from 45\u00b0"},
+               {"lobes-75", "max\u00a029"},
+               {"d", "How facets lean"},
+               {"g1", "G1 for five"},
+               {"g2", "separable 1.0"},
+               {"energy", "give back"},
+               {"printed", "as printed, \u03b1 0.3"}});
 }
 
 TEST_CASE("program: a furnace as printed is refused, for it would be drawn wrong") {

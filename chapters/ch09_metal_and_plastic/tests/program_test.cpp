@@ -1,9 +1,11 @@
 #include "ch09_metal_and_plastic/program.hpp"
 
 #include "ch01_pixels/tests/temporary_folder.hpp"
+#include "ch05_rendering_equation/tests/program_checks.hpp"
 #include "common/testkit/catch.hpp"
 
 using namespace lt;
+using namespace lt::testing;
 
 namespace {
 
@@ -69,9 +71,7 @@ TEST_CASE("program: a furnace of white metal is never brighter than its sky") {
 TEST_CASE("program: the picture is the same for any number of threads") {
   for (const char* view : {"room", "floor"}) {
     const Film one = film_of(small(view), 2, 1), seven = film_of(small(view), 2, 7);
-    for (int y = 0; y < one.height(); ++y)
-      for (int x = 0; x < one.width(); ++x)
-        REQUIRE(one.at(x, y).sum == seven.at(x, y).sum);
+    require_same_samples(one, seven);
   }
 }
 
@@ -97,16 +97,12 @@ TEST_CASE("program: a cancelled view is a whole picture of what there is") {
 }
 
 TEST_CASE("program: plots are drawn into files that end in svg and nowhere else") {
-  const TemporaryFolder folder;
-  CHECK_THROWS_AS(write_sampler_plot("facets", 1, folder / "plot.png"), InputError);
-  const std::pair<const char*, const char*> words[] = {{"weights", "largest"},
-                                                       {"facets", "visible"},
-                                                       {"noise", "deviation"},
-                                                       {"chi-square", "redrawn"}};
-  for (const auto& [name, word] : words) {
-    write_sampler_plot(name, 1, folder / "plot.svg");
-    CHECK(read_file(folder / "plot.svg").find(word) != std::string::npos);
-  }
+  check_plots([](const std::string& name,
+                 const std::filesystem::path& out) { write_sampler_plot(name, 1, out); },
+              {{"weights", "largest"},
+               {"facets", "visible"},
+               {"noise", "deviation"},
+               {"chi-square", "redrawn"}});
 }
 
 TEST_CASE("program: every row of the tables is of numbers") {

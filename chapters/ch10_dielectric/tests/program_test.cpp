@@ -1,10 +1,12 @@
 #include "ch10_dielectric/program.hpp"
 
 #include "ch01_pixels/tests/temporary_folder.hpp"
+#include "ch05_rendering_equation/tests/program_checks.hpp"
 #include "common/testkit/catch.hpp"
 #include "common/testkit/close_to.hpp"
 
 using namespace lt;
+using namespace lt::testing;
 
 namespace {
 
@@ -88,9 +90,7 @@ TEST_CASE("program: the floor is as rough as one asks, and a strip of any size h
 TEST_CASE("program: the picture is the same for any number of threads") {
   const Film one = film_of(small("room", "conserving"), {33, 21}, 2, 1);
   const Film seven = film_of(small("room", "conserving"), {33, 21}, 2, 7);
-  for (int y = 0; y < 21; ++y)
-    for (int x = 0; x < 33; ++x)
-      REQUIRE(one.at(x, y).sum == seven.at(x, y).sum);
+  require_same_samples(one, seven);
 }
 
 TEST_CASE("program: a cancelled room is a whole picture of what there is") {
@@ -104,16 +104,10 @@ TEST_CASE("program: a cancelled room is a whole picture of what there is") {
 }
 
 TEST_CASE("program: plots are drawn into files that end in svg and nowhere else") {
-  const TemporaryFolder folder;
-  CHECK_THROWS_AS(write_coat_plot("coat", folder / "plot.png"), InputError);
-  const std::pair<const char*, const char*> words[] = {{"coat", "reflects: E"},
-                                                       {"printed", "Thesis equation 7"},
-                                                       {"repairs", "conserving"},
-                                                       {"choice", "probability of choosing"}};
-  for (const auto& [name, word] : words) {
-    write_coat_plot(name, folder / "plot.svg");
-    CHECK(read_file(folder / "plot.svg").find(word) != std::string::npos);
-  }
+  check_plots(write_coat_plot, {{"coat", "reflects: E"},
+                                {"printed", "Thesis equation 7"},
+                                {"repairs", "conserving"},
+                                {"choice", "probability of choosing"}});
 }
 
 TEST_CASE("program: the tables have the thesis' gain, all choices, and times") {

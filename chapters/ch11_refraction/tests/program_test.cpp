@@ -1,10 +1,12 @@
 #include "ch11_refraction/program.hpp"
 
 #include "ch01_pixels/tests/temporary_folder.hpp"
+#include "ch05_rendering_equation/tests/program_checks.hpp"
 #include "common/testkit/catch.hpp"
 #include "common/testkit/close_to.hpp"
 
 using namespace lt;
+using namespace lt::testing;
 
 namespace {
 
@@ -103,9 +105,7 @@ TEST_CASE("program: strips change one thing, and one of any size has its four pa
 TEST_CASE("program: the picture is the same for any number of threads") {
   const Film one = film_of(small("room"), {33, 21}, 2, 1);
   const Film seven = film_of(small("room"), {33, 21}, 2, 7);
-  for (int y = 0; y < 21; ++y)
-    for (int x = 0; x < 33; ++x)
-      REQUIRE(one.at(x, y).sum == seven.at(x, y).sum);
+  require_same_samples(one, seven);
 }
 
 TEST_CASE("program: a cancelled view is a whole picture of what there is") {
@@ -121,17 +121,11 @@ TEST_CASE("program: a cancelled view is a whole picture of what there is") {
 }
 
 TEST_CASE("program: plots are drawn into files that end in svg and nowhere else") {
-  const TemporaryFolder folder;
-  CHECK_THROWS_AS(write_glass_plot("beer", folder / "plot.png"), InputError);
-  const std::pair<const char*, const char*> words[] = {{"through", "BTDF"},
-                                                       {"root", "as printed"},
-                                                       {"energy", "let through"},
-                                                       {"weight", "equation 17"},
-                                                       {"beer", "metres"}};
-  for (const auto& [name, word] : words) {
-    write_glass_plot(name, folder / "plot.svg");
-    CHECK(read_file(folder / "plot.svg").find(word) != std::string::npos);
-  }
+  check_plots(write_glass_plot, {{"through", "BTDF"},
+                                 {"root", "as printed"},
+                                 {"energy", "let through"},
+                                 {"weight", "equation 17"},
+                                 {"beer", "metres"}});
 }
 
 TEST_CASE("program: the tables have both sides, all mistakes, and the room's speed") {
