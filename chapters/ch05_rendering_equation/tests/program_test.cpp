@@ -35,6 +35,16 @@ double mean_of(const Image& image) {
 
 }  // namespace
 
+TEST_CASE("program: a picture in one go has all of its samples") {
+  RenderOptions picture = small_picture(5);
+  picture.seed = 7;
+  picture.threads = 2;
+  const SampleRange range = whole_range_for(picture);
+  CHECK(range.last == 5);
+  CHECK(range.seed == 7);
+  CHECK(range.threads == 2);
+}
+
 TEST_CASE("program: a cancelled room is a whole picture of what there is") {
   const TemporaryFolder folder;
   const std::atomic<bool> already{true};

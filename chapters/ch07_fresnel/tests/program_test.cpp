@@ -69,6 +69,22 @@ TEST_CASE("program: a cancelled room is a whole picture of what there is") {
   CHECK(read_pixels8(folder / "room.png").width == 24);
 }
 
+TEST_CASE("program: a strip has its panels side by side and two white columns between them") {
+  const Rgb colours[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const auto panel = [&](std::size_t i, int width, Progress&) {
+    return Image(width, 2, colours[i]);
+  };
+  const Image image = panel_strip("strip", 3, 10, 2, 1, panel);
+  // Thirds of ten pixels begin at 0, 3 and 6.
+  const std::string row = "rrr  g  bb";
+  for (int y = 0; y < 2; ++y)
+    for (int x = 0; x < 10; ++x) {
+      CAPTURE(x, y);
+      const auto kind = std::string("rgb").find(row[static_cast<std::size_t>(x)]);
+      CHECK(image.at(x, y) == (kind == std::string::npos ? Rgb(1.0f) : colours[kind]));
+    }
+}
+
 TEST_CASE("program: plots are drawn into files that end in svg and nowhere else") {
   check_plots(write_curves, {{"polarised", "Brewster 56.3"},
                              {"outside", "67.5"},
